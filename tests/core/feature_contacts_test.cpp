@@ -16,6 +16,7 @@
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 #include "shared/solids.h"
+#include "tree/tree.h"
 
 namespace octoblisk {
 
@@ -56,8 +57,12 @@ TEST(MeshFeatures, listsEachCornerAndEachConvexEdgeOnce) {
       corners += static_cast<std::size_t>(std::popcount(body.features.cornersAt(place)));
     EXPECT_EQ(corners, body.solid.surface.cornerCount());
     constexpr float kSharp = 1e-3f;
-    const auto edges = body.features.edgesOfLeaf(0, static_cast<std::uint32_t>(count));
-    const auto sharp = std::ranges::count_if(edges, [](const SharpEdge& e) { return e.sharpness > kSharp; });
+    std::ptrdiff_t sharp = 0;
+    forEachChild(treeOf(body.solid.tree).arrays(), [&](Slot slot, Child child) {
+      if (!child.isLeaf()) return;
+      const auto edges = body.features.edgesOf(body.features.of(slot));
+      sharp += std::ranges::count_if(edges, [](const SharpEdge& e) { return e.sharpness > kSharp; });
+    });
     std::ptrdiff_t convex = 0;
     for (std::uint32_t t = 0; t < count; ++t) {
       for (std::uint32_t u = t + 1; u < count; ++u) {

@@ -21,16 +21,18 @@ constexpr double kShallow = 0.5;
 struct PosedEdge {
   Vec3 from, along;
   PosedEdge() = default;
-  PosedEdge(const SharpEdge& edge, const TriangleMesh& mesh, const Pose& pose) {
-    const auto& indices = mesh.triangles()[edge.triangle];
-    from = pose * mesh.vertices()[indices[edge.corner]];
-    along = pose * mesh.vertices()[indices[(edge.corner + 1) % 3]] - from;
+  PosedEdge(const SharpEdge& edge, const MeshFeatures& mesh, const Pose& pose) {
+    const Triangle triangle = mesh.tree().mesh().triangle(mesh.triangleOf(edge));
+    from = pose * triangle[edge.corner];
+    along = pose * triangle[(edge.corner + 1) % 3] - from;
   }
 };
 
 /// Of the two faces beside an edge, turned.
-std::array<Vec3, 2> normalsOf(const SharpEdge& edge, const TriangleMesh& mesh, const Mat3& turn) {
-  return {turn * unitNormal(mesh.triangle(edge.triangle)), turn * unitNormal(mesh.triangle(edge.across))};
+std::array<Vec3, 2> normalsOf(const SharpEdge& edge, const MeshFeatures& mesh, const Mat3& turn) {
+  const TriangleMesh& triangles = mesh.tree().mesh();
+  return {turn * unitNormal(triangles.triangle(mesh.triangleOf(edge))),
+          turn * unitNormal(triangles.triangle(edge.across))};
 }
 
 /// Whether a unit vector perpendicular to an edge is between the normals of its faces.
@@ -50,10 +52,6 @@ bool isInside(const MeshFeatures& solid, const Vec3& point) {
   return crossingNumber(solid.tree(), point).value_or(0) != 0;
 }
 
-std::uint32_t cornerOf(const MeshFeatures& mesh, const CornerAndFace& pair) {
-  return mesh.surface().corners(pair.triangle)[pair.corner];
-}
-
 }  // namespace
 
 /// Adds a contact whose A is the corner's mesh.
@@ -67,35 +65,32 @@ void FeatureContacts::addCorners(const MeshFeatures& own, const MeshFeatures& ot
                                  std::span<const CornerAndFace> pairs) {
   const TriangleMesh& faces = other.tree().mesh();
   const Mat3 turn = own_in_other.rotation.transpose();
-  const auto positionOf = [&](const CornerAndFace& pair) -> Vec3 {
-    return own_in_other * own.surface().position(cornerOf(own, pair));
-  };
-  if (heights_.size() < own.surface().cornerCount()) heights_.resize(own.surface().cornerCount());
+  if (heights_.size() < own.cornerCount()) heights_.resize(own.cornerCount());
   pushes_.clear();
   for (const CornerAndFace& pair : pairs) {
     const Triangle face = faces.triangle(pair.face);
-    const Vec3 normal = unitNormal(face);
-    const double height = normal.dot(positionOf(pair) - face[0]);
-    Heights& heights = heights_[cornerOf(own, pair)];
+    const Vec3 normal = unitNormal(face), point = own_in_other * own.position(pair.corner);
+    const double height = normal.dot(point - face[0]);
+    Heights& heights = heights_[pair.corner];
     const bool is_pushed =
-        height <= reach_ && !normal.isZero(0.0) && own.isPushedAlong(cornerOf(own, pair), turn * normal);
+        height <= reach_ && !normal.isZero(0.0) && own.isPushedAlong(pair.corner, turn * normal);
     if (std::abs(height) < std::abs(heights.nearest)) heights = {height, pair.face, is_pushed};
-    if (is_pushed) pushes_.push_back({pair, normal, height});
+    if (is_pushed) pushes_.push_back({pair, point, normal, height});
   }
   for (const CornerAndFace& pair : pairs) {
-    Heights& heights = heights_[cornerOf(own, pair)];
+    Heights& heights = heights_[pair.corner];
     if (heights.nearest < -not_felt_ && !heights.is_located)
       locateCorner(own, other, own_in_other, pair, heights);
   }
   for (const Push& push : pushes_) {
-    const Heights& heights = heights_[cornerOf(own, push.pair)];
+    const Heights& heights = heights_[push.pair.corner];
     // Past the middle of a thin part, the nearest face is on the far side, and does not push.
     const bool is_past_middle = heights.nearest < 0.0 && !heights.is_pushed &&
                                 push.normal.dot(scaledNormal(faces.triangle(heights.face))) < 0.0;
     if (push.height >= -std::abs(heights.nearest) || is_past_middle)
-      addCorner(push.pair, positionOf(push.pair), push.normal, push.height);
+      addCorner(push.pair, push.point, push.normal, push.height);
   }
-  for (const CornerAndFace& pair : pairs) heights_[cornerOf(own, pair)] = {};
+  for (const CornerAndFace& pair : pairs) heights_[pair.corner] = {};
 }
 
 /// Finds out whether a corner that is under a face is inside the solid, and which point of its surface is
@@ -103,8 +98,7 @@ void FeatureContacts::addCorners(const MeshFeatures& own, const MeshFeatures& ot
 void FeatureContacts::locateCorner(const MeshFeatures& own, const MeshFeatures& other,
                                    const Pose& own_in_other, const CornerAndFace& pair, Heights& heights) {
   heights.is_located = true;
-  const std::uint32_t corner = cornerOf(own, pair);
-  const Vec3 point = own_in_other * own.surface().position(corner);
+  const Vec3 point = own_in_other * own.position(pair.corner);
   if (meeting_.empty() || !isInside(other, point)) {
     heights.nearest = 0.0;  // no face pushes it
     return;
@@ -114,18 +108,18 @@ void FeatureContacts::locateCorner(const MeshFeatures& own, const MeshFeatures& 
   const auto out = closestPoint(other.tree(), point, -kNearer * heights.nearest);
   if (!out) return;
   const Vec3 normal = (out->point - point).normalized();
-  const bool is_pushed = own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal);
+  const bool is_pushed = own.isPushedAlong(pair.corner, own_in_other.rotation.transpose() * normal);
   heights = {-out->distance, out->triangle, is_pushed, true};
-  if (is_pushed) addCorner({pair.triangle, pair.corner, out->triangle}, point, normal, -out->distance);
+  if (is_pushed) addCorner({pair.corner, pair.triangle, out->triangle}, point, normal, -out->distance);
 }
 
 void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
   const SharpEdge* last = nullptr;
   PosedEdge of_a;
   for (const EdgeAndEdge& pair : near_.edges) {
-    if (pair.of_a != last) of_a = PosedEdge(*pair.of_a, a.tree().mesh(), Pose());
+    if (pair.of_a != last) of_a = PosedEdge(*pair.of_a, a, Pose());
     last = pair.of_a;
-    const PosedEdge of_b(*pair.of_b, b.tree().mesh(), b_in_a);
+    const PosedEdge of_b(*pair.of_b, b, b_in_a);
     const Vec3 between = of_a.from - of_b.from;
     const double aa = of_a.along.squaredNorm(), bb = of_b.along.squaredNorm(),
                  ab = of_a.along.dot(of_b.along), da = of_a.along.dot(between), db = of_b.along.dot(between);
@@ -136,34 +130,35 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
     Vec3 normal = of_a.along.cross(of_b.along).normalized();
     double distance = normal.dot(between);
     if (!(std::abs(distance) <= reach_)) continue;
-    const auto normals_of_b = normalsOf(*pair.of_b, b.tree().mesh(), b_in_a.rotation);
+    const auto normals_of_b = normalsOf(*pair.of_b, b, b_in_a.rotation);
     if (normal.dot(normals_of_b[0] + normals_of_b[1]) < 0.0) normal = -normal, distance = -distance;
-    const auto normals_of_a = normalsOf(*pair.of_a, a.tree().mesh(), Mat3::Identity());
+    const auto normals_of_a = normalsOf(*pair.of_a, a, Mat3::Identity());
     if (!isBetween(normals_of_b, of_b.along, normal) || !isBetween(normals_of_a, of_a.along, -normal))
       continue;
     const bool may_overlap =
         !meeting_.empty() && leadsOut(normals_of_b, normal) && leadsOut(normals_of_a, -normal);
     if (distance < 0.0 && !may_overlap) continue;
     const Vec3 point = of_a.from + s * of_a.along, point_on_b = point - distance * normal;
-    contacts_.push_back({point, point_on_b, normal, distance, pair.of_a->triangle, pair.of_b->triangle});
+    contacts_.push_back(
+        {point, point_on_b, normal, distance, a.triangleOf(*pair.of_a), b.triangleOf(*pair.of_b)});
   }
 }
 
 /// Whether all triangles that meet are connected, by others that meet, with a contact that pushes them apart.
 bool FeatureContacts::areMeetingsFelt(const MeshFeatures& a, const MeshFeatures& b) {
   const auto set = [](const MeshFeatures& mesh, std::uint32_t triangle, std::vector<char>& is_felt, char to) {
-    for (const std::uint32_t corner : mesh.surface().corners(triangle)) is_felt[corner] = to;
+    for (const std::uint32_t corner : mesh.cornersOf(triangle)) is_felt[corner] = to;
   };
   const auto setBoth = [&](std::uint32_t of_a, std::uint32_t of_b, char to) {
     set(a, of_a, is_felt_a_, to);
     set(b, of_b, is_felt_b_, to);
   };
   const auto isFelt = [](const MeshFeatures& mesh, std::uint32_t triangle, const std::vector<char>& is_felt) {
-    return std::ranges::any_of(mesh.surface().corners(triangle),
+    return std::ranges::any_of(mesh.cornersOf(triangle),
                                [&](std::uint32_t corner) { return is_felt[corner] != 0; });
   };
-  if (is_felt_a_.size() < a.surface().cornerCount()) is_felt_a_.resize(a.surface().cornerCount(), 0);
-  if (is_felt_b_.size() < b.surface().cornerCount()) is_felt_b_.resize(b.surface().cornerCount(), 0);
+  if (is_felt_a_.size() < a.cornerCount()) is_felt_a_.resize(a.cornerCount(), 0);
+  if (is_felt_b_.size() < b.cornerCount()) is_felt_b_.resize(b.cornerCount(), 0);
   for (const Contact& contact : contacts_) {
     if (contact.distance <= not_felt_) setBoth(contact.triangle_a, contact.triangle_b, 1);
   }
@@ -192,10 +187,7 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   is_deep_ = false;
   contacts_.clear();
   found.clear();
-  const Clearance nearest = distance(a.tree(), b.tree(), b_in_a, {.upper_bound = reach});
-  if (!nearest.found()) return true;
-  meeting_.clear();
-  if (nearest.distance == 0.0) touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
+  touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
   addCorners(a, b, b_in_a.inverse(), near_.corners_of_a);
   for (Contact& contact : contacts_) {  // from B's frame to A's
@@ -215,10 +207,14 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
   if (!meeting_.empty() && (is_deep_ || least < -kShallow * reach || !areMeetingsFelt(a, b))) return false;
-  if (meeting_.empty() && least > nearest.distance + not_felt_) {
-    contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
-                         (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
-                         nearest.triangle_a, nearest.triangle_b});
+  if (meeting_.empty() && least > not_felt_) {
+    const Clearance nearest =
+        distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach, least - not_felt_)});
+    if (nearest.found()) {
+      contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
+                           (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
+                           nearest.triangle_a, nearest.triangle_b});
+    }
   }
   found.assign(contacts_.begin(), contacts_.end());
   return true;

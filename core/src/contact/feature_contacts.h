@@ -39,7 +39,7 @@ class FeatureContacts {
   /// A face that can push a corner.
   struct Push {
     CornerAndFace pair;
-    Vec3 normal;
+    Vec3 point, normal;
     double height;
   };
 

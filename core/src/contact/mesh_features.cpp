@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/no_index.h"
+#include "simd/lanes.h"
 #include "tree/tree.h"
 
 namespace octoblisk::detail {
@@ -42,85 +44,180 @@ NormalCone coneAround(std::span<const Vec3> normals, double wider) {
   }
   const double rounding = 1e-5, angle = std::acos(std::clamp(least, -1.0, 1.0)) + wider + rounding;
   if (angle >= std::numbers::pi) return {};
-  return {axis.cast<float>(), static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+  return {axis.cast<float>(), static_cast<float>(std::cos(angle))};
 }
 
 /// A direction may push a corner if it leans no more than the faces around the corner, and kAlike more. This
 /// angle, in radians, is wide enough for both cones of a pair.
 constexpr double kLean = 0.25;
 
-}  // namespace
+// A packed direction has three components of ten bits, each 512 more than 511 times that of a unit vector.
 
-MeshFeatures::MeshFeatures(const ClusteredOctree& octree) : surface_(octree, Surface::OnlyConnected()) {
-  const Tree& tree = treeOf(octree);
-  const TriangleMesh& mesh = octree.mesh();
-  const std::size_t count = mesh.triangleCount();
-  corners_at_.assign(count, 0);
-  edge_begin_.assign(count + 1, 0);
-  std::vector<bool> is_listed(surface_.cornerCount(), false);
-  for (std::uint32_t place = 0; place < count; ++place) {
-    const std::uint32_t triangle = tree.triangleOrder()[place];
-    edge_begin_[place] = static_cast<std::uint32_t>(edges_.size());
-    const Vec3 normal = scaledNormal(mesh.triangle(triangle));
-    for (std::uint32_t v = 0; v < 3; ++v) {
-      const std::uint32_t corner = surface_.corners(triangle)[v];
-      if (!is_listed[corner]) corners_at_[place] |= static_cast<std::uint8_t>(1u << v);
-      is_listed[corner] = true;
-      const std::uint32_t across = triangleAcross(surface_, triangle, v);
-      if (across == kNoTriangle || across < triangle) continue;
-      const Vec3 other = scaledNormal(mesh.triangle(across));
-      const Vec3 along = mesh.triangle(triangle)[(v + 1) % 3] - mesh.triangle(triangle)[v];
-      const double turn = std::atan2(normal.cross(other).norm(), normal.dot(other));
-      if (!(normal.cross(other).dot(along) > 0.0)) continue;
-      edges_.push_back({triangle, v, across, static_cast<float>(along.norm() * turn / 8.0)});
-    }
-  }
-  edge_begin_[count] = static_cast<std::uint32_t>(edges_.size());
-  edges_.shrink_to_fit();
-  cones_.resize(tree.nodeCount() * kLanes);
-  for (std::uint32_t node = 0; node < tree.nodeCount(); ++node) {
-    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-      const Child child = tree.child({node, lane});
-      if (child.isEmpty() || !child.isLeaf()) continue;
-      cones_[node * kLanes + lane] = conesOf(child.first(), child.first() + child.count());
-      const auto of_leaf = [&](std::uint32_t place) { return edges_.begin() + edge_begin_[place]; };
-      std::stable_sort(of_leaf(child.first()), of_leaf(child.first() + child.count()),
-                       [](const SharpEdge& a, const SharpEdge& b) { return a.sharpness > b.sharpness; });
-    }
-  }
+std::uint32_t packed(const Vec3& direction) {
+  std::uint32_t bits = 0;
+  for (int k = 0; k < 3; ++k)
+    bits |= static_cast<std::uint32_t>(std::lround(512.0 + 511.0 * direction[k])) << 10 * k;
+  return bits;
 }
 
-LeafCones MeshFeatures::conesOf(std::uint32_t first, std::uint32_t end) const {
-  const TriangleMesh& mesh = tree().mesh();
-  const auto& order = treeOf(tree()).triangleOrder();
-  std::vector<Vec3> of_faces, of_corners;
-  for (std::uint32_t place = first; place < end; ++place) {
-    const std::uint32_t triangle = order[place];
-    of_faces.push_back(unitNormal(mesh.triangle(triangle)));
+/// 511 times the product of a vector and a packed direction, less than 1 off.
+float along(const Eigen::Vector3f& vector, std::uint32_t direction) {
+  const auto component = [&](int k) { return static_cast<float>(direction >> 10 * k & 1023u) - 512.0f; };
+  return vector[0] * component(0) + vector[1] * component(1) + vector[2] * component(2);
+}
+
+/// The angle of a triangle at a corner.
+double angleAt(const Triangle& triangle, std::size_t v) {
+  const Vec3 first = triangle[(v + 1) % 3] - triangle[v], second = triangle[(v + 2) % 3] - triangle[v];
+  return std::atan2(first.cross(second).norm(), first.dot(second));
+}
+
+}  // namespace
+
+MeshFeatures::MeshFeatures(const ClusteredOctree& octree) : tree_(&octree) {
+  const Surface surface(octree, Surface::OnlyConnected());
+  leaves_.resize(treeOf(octree).nodeCount() * kLanes);
+  listCorners(surface);
+  listEdges(surface);
+  describeLeaves(surface);
+  findReaches();
+}
+
+void MeshFeatures::listCorners(const Surface& surface) {
+  const auto& order = treeOf(*tree_).triangleOrder();
+  std::vector<std::uint32_t> number(surface.cornerCount(), kNoIndex);
+  vertex_.reserve(surface.cornerCount());
+  corners_.resize(order.size());
+  corners_at_.assign(order.size(), 0);
+  for (std::uint32_t place = 0; place < order.size(); ++place) {
     for (std::uint32_t v = 0; v < 3; ++v) {
-      if ((cornersAt(place) >> v & 1u) == 0) continue;
-      for (const std::uint32_t around : surface_.star(surface_.corners(triangle)[v]))
-        of_corners.push_back(unitNormal(mesh.triangle(around)));
+      const std::uint32_t corner = surface.corners(order[place])[v];
+      if (number[corner] == kNoIndex) {
+        number[corner] = static_cast<std::uint32_t>(vertex_.size());
+        vertex_.push_back(tree_->mesh().triangles()[order[place]][v]);
+        corners_at_[place] |= static_cast<std::uint8_t>(1u << v);
+        gatherWays(surface, corner);
+      }
+      corners_[order[place]][v] = number[corner];
     }
   }
-  return {coneAround(of_faces, 0.0), coneAround(of_corners, kLean)};
+  ways_begin_.push_back(static_cast<std::uint32_t>(ways_.size()));
+  ways_.shrink_to_fit();
+}
+
+void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner) {
+  const std::size_t begin = ways_.size();
+  ways_begin_.push_back(static_cast<std::uint32_t>(begin));
+  ways_.push_back(0);
+  Vec3 normal = Vec3::Zero();  // weighted by angles (Bærentzen and Aanæs 2005)
+  for (const std::uint32_t triangle : surface.star(corner)) {
+    const auto& corners = surface.corners(triangle);
+    const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner) - corners.begin());
+    const Triangle positions = tree_->mesh().triangle(triangle);
+    normal += angleAt(positions, v) * unitNormal(positions);
+    for (const std::size_t other : {(v + 1) % 3, (v + 2) % 3}) {
+      if (corners[other] == corner) continue;
+      const std::uint32_t way = packed((positions[other] - positions[v]).normalized());
+      if (std::find(ways_.begin() + static_cast<std::ptrdiff_t>(begin) + 1, ways_.end(), way) == ways_.end())
+        ways_.push_back(way);
+    }
+  }
+  ways_[begin] = packed(normal.normalized());
+}
+
+void MeshFeatures::listEdges(const Surface& surface) {
+  const Tree& tree = treeOf(*tree_);
+  const TriangleMesh& mesh = tree_->mesh();
+  forEachChild(tree.arrays(), [&](Slot slot, Child child) {
+    if (!child.isLeaf()) return;
+    LeafFeatures& leaf = leaves_[slot.node * kLanes + slot.lane];
+    leaf.edges_begin = static_cast<std::uint32_t>(edges_.size());
+    for (std::uint32_t place = child.first(); place < child.first() + child.count(); ++place) {
+      const std::uint32_t triangle = tree.triangleOrder()[place];
+      const Vec3 normal = scaledNormal(mesh.triangle(triangle));
+      for (std::uint32_t v = 0; v < 3; ++v) {
+        const std::uint32_t across = triangleAcross(surface, triangle, v);
+        if (across == kNoTriangle || across < triangle) continue;
+        const Vec3 other = scaledNormal(mesh.triangle(across));
+        const Vec3 along = mesh.triangle(triangle)[(v + 1) % 3] - mesh.triangle(triangle)[v];
+        const double turn = std::atan2(normal.cross(other).norm(), normal.dot(other));
+        if (!(normal.cross(other).dot(along) > 0.0)) continue;
+        edges_.push_back({place, v, across, static_cast<float>(along.norm() * turn / 8.0)});
+      }
+    }
+    leaf.edges_end = static_cast<std::uint32_t>(edges_.size());
+    std::stable_sort(edges_.begin() + leaf.edges_begin, edges_.end(),
+                     [](const SharpEdge& a, const SharpEdge& b) { return a.sharpness > b.sharpness; });
+  });
+  edges_.shrink_to_fit();
+}
+
+void MeshFeatures::describeLeaves(const Surface& surface) {
+  const Tree& tree = treeOf(*tree_);
+  std::vector<Vec3> normals;
+  forEachChild(tree.arrays(), [&](Slot slot, Child child) {
+    if (!child.isLeaf()) return;
+    LeafFeatures& leaf = leaves_[slot.node * kLanes + slot.lane];
+    leaf.corners_begin = static_cast<std::uint32_t>(vertex_.size());
+    normals.clear();
+    for (std::uint32_t place = child.first(); place < child.first() + child.count(); ++place) {
+      const std::uint32_t triangle = tree.triangleOrder()[place];
+      for (const std::uint32_t v : Lanes(cornersAt(place))) {
+        leaf.corners_begin = std::min(leaf.corners_begin, corners_[triangle][v]);
+        for (const std::uint32_t around : surface.star(surface.corners(triangle)[v]))
+          normals.push_back(unitNormal(tree_->mesh().triangle(around)));
+      }
+    }
+    leaf.against = coneAround(normals, kLean);
+  });
+}
+
+void MeshFeatures::findReaches() {
+  const Tree& tree = treeOf(*tree_);
+  struct Box {
+    Slot slot;
+    Mat3 axes;
+  };
+  std::vector<Box> above;  // the boxes from the root down to the current leaf
+  reaches_.assign(tree.nodeCount(), {});
+  const auto visit = [&](const auto& self, Slot slot) -> void {
+    const Child child = tree.child(slot);
+    if (child.isEmpty()) return;
+    above.push_back({slot, tree.box(slot).axes});
+    if (!child.isLeaf()) {
+      for (std::uint32_t lane = 0; lane < kLanes; ++lane) self(self, {child.node(), lane});
+    } else {
+      for (std::uint32_t place = child.first(); place < child.first() + child.count(); ++place) {
+        const Vec3 normal = unitNormal(tree.mesh().triangle(tree.triangleOrder()[place]));
+        for (const Box& box : above) {
+          for (int i = 0; i < 3; ++i) {
+            float& lean = reaches_[box.slot.node].lean[i][box.slot.lane];
+            lean = std::max(lean, static_cast<float>(std::abs(box.axes.col(i).dot(normal))));
+          }
+        }
+      }
+      for (const SharpEdge& edge : edgesOf(of(slot))) {
+        for (const Box& box : above) {
+          float& sharpness = reaches_[box.slot.node].sharpness[box.slot.lane];
+          sharpness = std::max(sharpness, edge.sharpness);
+        }
+      }
+    }
+    above.pop_back();
+  };
+  visit(visit, Tree::kRoot);
+}
+
+std::uint32_t MeshFeatures::triangleOf(const SharpEdge& edge) const {
+  return treeOf(*tree_).triangleOrder()[edge.place];
 }
 
 bool MeshFeatures::isPushedAlong(std::uint32_t corner, const Vec3& direction) const {
-  const Vec3& position = surface_.position(corner);
-  bool faces_push = false;
-  for (const std::uint32_t triangle : surface_.star(corner)) {
-    const auto& corners = surface_.corners(triangle);
-    const std::size_t v = corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2;
-    const Vec3 ways[2] = {surface_.position(corners[(v + 1) % 3]) - position,
-                          surface_.position(corners[(v + 2) % 3]) - position};
-    for (const Vec3& way : ways) {
-      const double height = direction.dot(way);
-      if (height < 0.0 && height * height > kAlike * kAlike * way.squaredNorm()) return false;
-    }
-    faces_push |= direction.dot(ways[0].cross(ways[1])) < 0.0;
-  }
-  return faces_push;
+  const Eigen::Vector3f vector = direction.cast<float>();
+  const auto begin = ways_.begin() + ways_begin_[corner], end = ways_.begin() + ways_begin_[corner + 1];
+  constexpr float kAlikePacked = 511.0f * static_cast<float>(kAlike);
+  return along(vector, *begin) <= kAlikePacked &&
+         std::all_of(begin + 1, end, [&](std::uint32_t way) { return along(vector, way) >= -kAlikePacked; });
 }
 
 }  // namespace octoblisk::detail

@@ -1,6 +1,7 @@
 // The features of a mesh that contacts may have: its corners and its sharp edges, and what is around them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -18,55 +19,74 @@ inline constexpr double kAlike = 0.1;
 
 /// A convex edge between two triangles: that from a corner of one triangle to its next corner.
 struct SharpEdge {
-  std::uint32_t triangle : 30, corner : 2;
-  std::uint32_t across;  ///< the other triangle
-  float sharpness;       ///< how far the edge deviates from what its ends say, a length
+  std::uint32_t place : 30, corner : 2;  ///< the triangle's place in the tree's order, and its corner
+  std::uint32_t across;                  ///< the other triangle
+  float sharpness;                       ///< how far the edge deviates from what its ends say, a length
 };
 
 /// Directions within an angle from an axis; by default, all directions.
 struct NormalCone {
   Eigen::Vector3f axis = Eigen::Vector3f::UnitX();
-  float cosine = -1.0f, sine = 0.0f;  ///< of the angle
+  float cosine = -2.0f;  ///< of the angle; less than -1: all directions
 };
 
-/// The normals of a leaf's faces, and the directions against which others can push the corners listed with
-/// them.
-struct LeafCones {
-  NormalCone faces, corners;
+/// The features listed with the triangles of a leaf.
+struct LeafFeatures {
+  std::uint32_t corners_begin = 0;  ///< the number of the first corner
+  std::uint32_t edges_begin = 0, edges_end = 0;
+  NormalCone against;  ///< the directions opposite to those in which others can push the corners
+};
+
+/// How far from each of a node's eight boxes, empty ones included, the features below it may be in contact.
+struct NodeReach {
+  float lean[3][kLanes];    ///< per axis of the box: the greatest cosine between it and a face's normal
+  float sharpness[kLanes];  ///< of the sharpest edge
 };
 
 /// What FeatureContacts needs to know of a mesh besides its tree. Each corner and each edge is listed once,
-/// with one triangle.
+/// with one triangle. Corners are numbered from 0 in the order of the list: by places in the tree's order.
 class MeshFeatures {
  public:
   /// The tree must outlive it.
   explicit MeshFeatures(const ClusteredOctree& tree);
   explicit MeshFeatures(ClusteredOctree&&) = delete;
 
-  const ClusteredOctree& tree() const { return surface_.tree(); }
-  const Surface& surface() const { return surface_; }
+  const ClusteredOctree& tree() const { return *tree_; }
 
+  std::size_t cornerCount() const { return vertex_.size(); }
+  const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
+  const std::array<std::uint32_t, 3>& cornersOf(std::uint32_t triangle) const { return corners_[triangle]; }
+
+  const LeafFeatures& of(Slot leaf) const { return leaves_[leaf.node * kLanes + leaf.lane]; }
+  const NodeReach& reachOf(std::uint32_t node) const { return reaches_[node]; }
   /// The corners listed with the triangle at a place of the tree's order: bit v for its corner v.
   unsigned cornersAt(std::uint32_t place) const { return corners_at_[place]; }
-  /// The edges listed with the triangles at the places [first, end) of one leaf, the sharpest first.
-  std::span<const SharpEdge> edgesOfLeaf(std::uint32_t first, std::uint32_t end) const {
-    return std::span(edges_).subspan(edge_begin_[first], edge_begin_[end] - edge_begin_[first]);
+  /// The sharpest first.
+  std::span<const SharpEdge> edgesOf(const LeafFeatures& leaf) const {
+    return std::span(edges_).subspan(leaf.edges_begin, leaf.edges_end - leaf.edges_begin);
   }
+  std::uint32_t triangleOf(const SharpEdge& edge) const;
 
   /// Whether no neighbour of the corner is farther out against a unit vector in the mesh's frame: whether the
   /// vector is in the cone of directions in which others can push the corner.
   bool isPushedAlong(std::uint32_t corner, const Vec3& direction) const;
 
-  const LeafCones& conesAt(Slot slot) const { return cones_[slot.node * kLanes + slot.lane]; }
-
  private:
-  LeafCones conesOf(std::uint32_t first, std::uint32_t end) const;
+  void listCorners(const Surface& surface);
+  void listEdges(const Surface& surface);
+  void gatherWays(const Surface& surface, std::uint32_t corner);
+  void describeLeaves(const Surface& surface);
+  void findReaches();
 
-  Surface surface_;
-  std::vector<std::uint8_t> corners_at_;
-  std::vector<std::uint32_t> edge_begin_;  // per place
+  const ClusteredOctree* tree_;
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // per triangle
+  std::vector<std::uint8_t> corners_at_;               // per place
+  std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
+  std::vector<std::uint32_t> ways_begin_;              // per corner
+  std::vector<std::uint32_t> ways_;  // packed directions: of the corner's normal, then to its neighbours
   std::vector<SharpEdge> edges_;
-  std::vector<LeafCones> cones_;  // per slot
+  std::vector<NodeReach> reaches_;    // per node
+  std::vector<LeafFeatures> leaves_;  // per slot
 };
 
 /// The features of one mesh, which must not change. Any number of threads may ask.

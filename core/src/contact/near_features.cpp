@@ -16,111 +16,156 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// Farther away than any corner: unused lanes are in no box.
 constexpr float kUnused = 1e18f;
 
-/// Adds the corners that are listed with a leaf's triangles.
-void addCornersOf(const MeshFeatures& mesh, const Pose& in_other, Child leaf,
-                  std::vector<LeavesNearby::Corners>& added) {
-  std::uint32_t count = 0;
-  for (std::uint32_t place = leaf.first(); place < leaf.first() + leaf.count(); ++place) {
-    const std::uint32_t triangle = treeOf(mesh.tree()).triangleOrder()[place];
-    for (const std::uint32_t v : Lanes(mesh.cornersAt(place))) {
-      const std::uint32_t lane = count++ % kLanes;
-      if (lane == 0) {
-        for (auto& row : added.emplace_back().position) std::ranges::fill(row, kUnused);
-      }
-      LeavesNearby::Corners& corners = added.back();
-      const Vec3 position = in_other * mesh.tree().mesh().triangle(triangle)[v];
-      for (int k = 0; k < 3; ++k) corners.position[k][lane] = static_cast<float>(position[k]);
-      corners.triangle[lane] = triangle;
-      corners.corner[lane] = v;
-    }
-  }
-}
-
-/// Adds the edges of at least some sharpness that are listed with a leaf's triangles.
-void addEdgesOf(const MeshFeatures& mesh, const Pose& in_a, Child leaf, float least_sharpness,
-                std::vector<LeavesNearby::Edge>& added) {
-  for (const SharpEdge& edge : mesh.edgesOfLeaf(leaf.first(), leaf.first() + leaf.count())) {
-    if (edge.sharpness < least_sharpness) break;
-    const Triangle triangle = mesh.tree().mesh().triangle(edge.triangle);
-    const Vec3 &from = triangle[edge.corner], &to = triangle[(edge.corner + 1) % 3];
-    const Eigen::Vector3f middle = (in_a * (0.5 * (from + to))).cast<float>();
-    added.push_back({&edge, {middle[0], middle[1], middle[2]}, static_cast<float>(0.5 * (to - from).norm())});
-  }
-}
-
 HWY_INLINE Vec8 unit(const Vec8& v) { return v * (Float8(1.0f) / sqrt(nonzero(dot(v, v)))); }
 
-/// The frame of a leaf's box in the tree's local frame.
+/// The frame of a leaf's box, in some frame.
 struct LeafFrame {
-  float axes[3][3], center[3], half_extents[3];
+  float axes[3][3];  ///< [axis][component]
+  float center[3];
 
-  LeafFrame(const Tree& tree, Slot slot) {
-    Box8 room(Box8::Unset{});
-    const Box8& box = boxesAt(tree, slot, room);
+  LeafFrame(const Box8& boxes, std::uint32_t lane) {
     for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) axes[i][k] = box.axes[k][i][slot.lane];
-      center[i] = box.center[i][slot.lane];
-      half_extents[i] = box.half_extents[i][slot.lane];
+      for (int k = 0; k < 3; ++k) axes[i][k] = boxes.axes[k][i][lane];
+      center[i] = boxes.center[i][lane];
     }
   }
 
-  /// Planes through points, perpendicular to unit vectors; both in this frame.
+  explicit LeafFrame(const BoxF& box) {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) axes[i][k] = box.axes(k, i);
+      center[i] = box.center[i];
+    }
+  }
+
+  HWY_INLINE Vec8 turned(const Vec8& v) const {
+    const auto component = [&](int k) HWY_ATTR {
+      return Float8(axes[0][k]) * v.x + Float8(axes[1][k]) * v.y + Float8(axes[2][k]) * v.z;
+    };
+    return {component(0), component(1), component(2)};
+  }
+  HWY_INLINE Vec8 posed(const Vec8& v) const {
+    return turned(v) + Vec8{Float8(center[0]), Float8(center[1]), Float8(center[2])};
+  }
+
+  /// Planes through points, perpendicular to unit vectors; both in the leaf's frame.
   HWY_INLINE LeavesNearby::Planes planes(const Vec8& normal, const Vec8& through) const {
     LeavesNearby::Planes planes;
-    Float8 height = dot(normal, through);
-    for (int k = 0; k < 3; ++k) {
-      const Float8 component =
-          Float8(axes[0][k]) * normal.x + Float8(axes[1][k]) * normal.y + Float8(axes[2][k]) * normal.z;
-      height = height + component * Float8(center[k]);
-      component.store(planes.normal[k]);
-    }
-    height.store(planes.height);
+    const Vec8 outward = turned(normal);
+    outward.x.store(planes.normal[0]);
+    outward.y.store(planes.normal[1]);
+    outward.z.store(planes.normal[2]);
+    dot(outward, posed(through)).store(planes.height);
     return planes;
+  }
+};
+
+/// Eight points, one by one.
+struct Points {
+  float rows[3][kLanes];
+
+  HWY_INLINE explicit Points(const Vec8& points) {
+    points.x.store(rows[0]);
+    points.y.store(rows[1]);
+    points.z.store(rows[2]);
   }
 };
 
 /// A mesh, its poses in the other tree's local frame and in A's, and what is sought of it.
 struct Searched {
   const MeshFeatures& mesh;
-  Pose in_other, in_a;
+  PoseF in_other, in_a;
   float reach, least_sharpness;
   LeavesNearby& nearby;
 };
+
+/// Adds the corners that are listed with a leaf's triangles.
+HWY_INLINE void addCornersOf(const Searched& searched, Child leaf, std::uint32_t first_corner,
+                             const Points (&vertices)[3]) {
+  const auto triangles = treeOf(searched.mesh.tree()).triangles(leaf);
+  std::vector<LeavesNearby::Corners>& added = searched.nearby.corners;
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+    for (const std::uint32_t v : Lanes(searched.mesh.cornersAt(leaf.first() + i))) {
+      const std::uint32_t lane = count % kLanes;
+      if (lane == 0) {
+        for (auto& row : added.emplace_back().position) std::ranges::fill(row, kUnused);
+      }
+      LeavesNearby::Corners& corners = added.back();
+      for (int k = 0; k < 3; ++k) corners.position[k][lane] = vertices[v].rows[k][i];
+      corners.corner[lane] = first_corner + count++;
+      corners.triangle[lane] = triangles[i];
+    }
+  }
+}
+
+/// Adds the edges of at least some sharpness that are listed with a leaf's triangles.
+HWY_INLINE void addEdgesOf(const Searched& searched, Child leaf, std::span<const SharpEdge> edges,
+                           const Vec8 (&vertices)[3], const LeafFrame& in_a) {
+  if (edges.empty() || edges[0].sharpness < searched.least_sharpness) return;
+  const Points points[3] = {Points(in_a.posed(vertices[0])), Points(in_a.posed(vertices[1])),
+                            Points(in_a.posed(vertices[2]))};
+  for (const SharpEdge& edge : edges) {
+    if (edge.sharpness < searched.least_sharpness) break;
+    const std::uint32_t i = edge.place - leaf.first();
+    const auto &from = points[edge.corner].rows, &to = points[(edge.corner + 1) % 3].rows;
+    LeavesNearby::Edge& added = searched.nearby.edges.emplace_back();
+    added.edge = &edge;
+    float squared = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+      const float half = 0.5f * (to[k][i] - from[k][i]);
+      added.middle[k] = from[k][i] + half;
+      squared += half * half;
+    }
+    added.radius = std::sqrt(squared);
+  }
+}
+
+/// How far beside a box a point may be that is over or under a face in it, over the point's height; for one
+/// box or eight. Beside a corner of a triangle, it may be farther away than beside an edge.
+template <typename Real>
+HWY_INLINE Real leaning(const Real& lean) {
+  return lean + Real(2.0f * static_cast<float>(kAlike));
+}
 
 void addLeaf(const Searched& searched, Slot slot) {
   const auto& [mesh, in_other, in_a, reach, least_sharpness, nearby] = searched;
   const Tree& tree = treeOf(mesh.tree());
   const Child child = tree.child(slot);
+  Box8 room(Box8::Unset{});
+  const Box8& boxes = boxesAt(tree, slot, room);
+  LeafVertices vertex_room;
+  const float* const rows = tree.leafVertices(slot, vertex_room);
+  Vec8 vertices[3];
+  for (std::uint32_t v = 0; v < 3; ++v) vertices[v] = Vec8::load(rows + 3 * v * child.count(), child.count());
+
   LeavesNearby::Leaf& leaf = nearby.leaves.emplace_back();
   leaf.slot = slot.node * kLanes + slot.lane;
+  const LeafFeatures& features = mesh.of(slot);
+  leaf.against = {in_other.rotation * features.against.axis, features.against.cosine};
   leaf.corners_begin = static_cast<std::uint32_t>(nearby.corners.size());
-  addCornersOf(mesh, in_other, child, nearby.corners);
+  const LeafFrame frame_in_other(posed(in_other, boxes, slot.lane));
+  const Points points[3] = {Points(frame_in_other.posed(vertices[0])),
+                            Points(frame_in_other.posed(vertices[1])),
+                            Points(frame_in_other.posed(vertices[2]))};
+  addCornersOf(searched, child, features.corners_begin, points);
   leaf.corners_end = static_cast<std::uint32_t>(nearby.corners.size());
   leaf.edges_begin = static_cast<std::uint32_t>(nearby.edges.size());
-  addEdgesOf(mesh, in_a, child, least_sharpness, nearby.edges);
+  addEdgesOf(searched, child, mesh.edgesOf(features), vertices, LeafFrame(posed(in_a, boxes, slot.lane)));
   leaf.edges_end = static_cast<std::uint32_t>(nearby.edges.size());
 
-  LeafVertices room;
-  const float* const rows = tree.leafVertices(slot, room);
-  Vec8 corners[3];
-  for (std::uint32_t v = 0; v < 3; ++v) corners[v] = Vec8::load(rows + 3 * v * child.count(), child.count());
-  const LeafFrame frame(tree, slot);
-  const Vec8 normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
-  leaf.faces = frame.planes(normal, corners[0]);
+  const LeafFrame frame(boxes, slot.lane);
+  LeavesNearby::Faces& faces = nearby.faces.emplace_back();
+  const Vec8 normal = unit(cross(vertices[1] - vertices[0], vertices[2] - vertices[0]));
+  faces.faces = frame.planes(normal, vertices[0]);
   for (int v = 0; v < 3; ++v)
-    leaf.edges[v] = frame.planes(unit(cross(corners[(v + 1) % 3] - corners[v], normal)), corners[v]);
+    faces.edges[v] = frame.planes(unit(cross(vertices[(v + 1) % 3] - vertices[v], normal)), vertices[v]);
 
-  const Float8* const components[3] = {&normal.x, &normal.y, &normal.z};
   for (int i = 0; i < 3; ++i) {
-    float leans[kLanes];
-    abs(*components[i]).store(leans);
-    const float most = *std::max_element(leans, leans + child.count());
-    // Beside a corner of a triangle, a point may be farther away than beside an edge.
-    const float grown = reach * (most + 2.0f * static_cast<float>(kAlike));
     std::ranges::copy(frame.axes[i], leaf.axes[i]);
     leaf.center[i] = frame.axes[i][0] * frame.center[0] + frame.axes[i][1] * frame.center[1] +
                      frame.axes[i][2] * frame.center[2];
-    leaf.half_extents[i] = frame.half_extents[i] + grown;
+    leaf.half_extents[i] =
+        boxes.half_extents[i][slot.lane] + reach * leaning(mesh.reachOf(slot.node).lean[i][slot.lane]);
   }
 }
 
@@ -151,8 +196,8 @@ HWY_INLINE Float8 heightsOver(const LeavesNearby::Planes& planes, const Vec8& po
 }
 
 /// The faces of a leaf, of the first `lanes`, over or under which a point is.
-HWY_INLINE unsigned facesUnder(const LeavesNearby::Leaf& leaf, unsigned lanes, const Vec8& point, float reach,
-                               float rounding) {
+HWY_INLINE unsigned facesUnder(const LeavesNearby::Faces& leaf, unsigned lanes, const Vec8& point,
+                               float reach, float rounding) {
   const Float8 height = abs(heightsOver(leaf.faces, point));
   const unsigned near = lanes & ~less(Float8(reach), height);
   if (near == 0) return 0;
@@ -162,11 +207,56 @@ HWY_INLINE unsigned facesUnder(const LeavesNearby::Leaf& leaf, unsigned lanes, c
   return near & ~less(slack, beside);
 }
 
-/// Whether a direction of B's cone may be opposite to one of A's.
-HWY_INLINE bool mayOppose(const NormalCone& of_a, const NormalCone& of_b, const Eigen::Matrix3f& b_to_a) {
-  const float sine = of_a.sine * of_b.cosine + of_a.cosine * of_b.sine,
-              cosine = of_a.cosine * of_b.cosine - of_a.sine * of_b.sine;  // of the sum of both angles
-  return sine <= 0.0f || -of_a.axis.dot(b_to_a * of_b.axis) >= cosine;
+/// The faces whose normals are opposite to a direction in the cone.
+HWY_INLINE unsigned facesAgainst(const LeavesNearby::Planes& faces, const NormalCone& cone) {
+  const Vec8 normal = Vec8::load(faces.normal[0], kLanes);
+  return less(dot(Vec8::all(cone.axis), normal), Float8(-cone.cosine));
+}
+
+/// The boxes of a node below which features may be in contact with some in the box of another mesh's slot.
+HWY_INLINE unsigned boxesWithin(const Searched& boxes, std::uint32_t node, const Searched& other, Slot slot,
+                                float limit, float rounding) {
+  Box8 room(Box8::Unset{}), room_of_one(Box8::Unset{});
+  const BoxF box = posed(other.in_other, boxesAt(treeOf(other.mesh.tree()), slot, room_of_one), slot.lane);
+  const FaceGaps gaps = faceGaps(boxesOf(treeOf(boxes.mesh.tree()), node, room), box);
+  const NodeReach &reaches = boxes.mesh.reachOf(node), &reach = other.mesh.reachOf(slot.node);
+  const Float8 all(limit);
+  unsigned far = 0, beside_box = 0, beside_boxes = 0;
+  for (int i = 0; i < 3; ++i) {
+    far |= less(all, max(gaps.along[i], gaps.along[3 + i]));
+    beside_box |= less(Float8(limit * leaning(reach.lean[i][slot.lane]) + rounding), gaps.along[i]);
+    beside_boxes |= less(all * leaning(Float8::load(reaches.lean[i])) + Float8(rounding), gaps.along[3 + i]);
+  }
+  const unsigned blunt = reach.sharpness[slot.lane] < other.least_sharpness
+                             ? kAllLanes
+                             : less(Float8::load(reaches.sharpness), Float8(boxes.least_sharpness));
+  return kAllLanes & ~(far | (beside_box & beside_boxes & blunt));
+}
+
+/// Calls visit(slot_of_a, slot_of_b) for the pairs of leaves whose features may be in contact.
+template <typename Visit>
+void walkFeatures(const Searched& a, const Searched& b, float limit, float rounding, Visit&& visit) {
+  const Tree &tree_a = treeOf(a.mesh.tree()), &tree_b = treeOf(b.mesh.tree());
+  struct Entry {
+    Slot a, b;
+  };
+  TraversalStack<Entry, 2 * Tree::kMaxDepth> to_do;
+  to_do.push({Tree::kRoot, Tree::kRoot});
+  while (!to_do.empty()) {
+    const Entry pair = to_do.pop();
+    const Child child_a = tree_a.child(pair.a), child_b = tree_b.child(pair.b);
+    if (child_a.isEmpty() || child_b.isEmpty()) continue;
+    if (child_a.isLeaf() && child_b.isLeaf()) {
+      visit(pair.a, pair.b);
+    } else if (child_b.isLeaf() || (!child_a.isLeaf() &&
+                                    largestHalfExtent(tree_a, pair.a) >= largestHalfExtent(tree_b, pair.b))) {
+      for (const std::uint32_t lane : Lanes(boxesWithin(a, child_a.node(), b, pair.b, limit, rounding)))
+        to_do.push({{child_a.node(), lane}, pair.b});
+    } else {
+      for (const std::uint32_t lane : Lanes(boxesWithin(b, child_b.node(), a, pair.a, limit, rounding)))
+        to_do.push({pair.a, {child_b.node(), lane}});
+    }
+  }
 }
 
 void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
@@ -174,36 +264,31 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
   const Tree &tree_a = treeOf(a.tree()), &tree_b = treeOf(b.tree());
   const LocalPose pose(tree_a, tree_b, b_in_a);
   const float limit = pose.limit(reach), rounding = pose.limit(0.0);
-  const Pose a_local{Mat3::Identity(), -tree_a.origin()};
-  const Pose b_to_a{b_in_a.rotation, b_in_a.translation - tree_a.origin()};
-  Pose a_to_b = b_in_a.inverse();
-  a_to_b.translation -= tree_b.origin();
-  const Searched searched_a{a, a_to_b, a_local, limit, least_sharpness, of_a},
-      searched_b{b, b_to_a, b_to_a, limit, least_sharpness, of_b};
-  const Eigen::Matrix3f turn = b_in_a.rotation.cast<float>();
+  const Searched searched_a{a, pose.a_to_b, PoseF(Pose()), limit, least_sharpness, of_a},
+      searched_b{b, pose.b_to_a, pose.b_to_a, limit, least_sharpness, of_b};
   const auto addPairs = [&](const LeavesNearby& own, const LeavesNearby::Leaf& leaf,
-                            const LeavesNearby::Leaf& faces, std::span<const std::uint32_t> triangles,
+                            const LeavesNearby::Leaf& other, const LeavesNearby::Faces& faces,
+                            std::span<const std::uint32_t> triangles,
                             std::vector<CornerAndFace>& found) HWY_ATTR {
-    const unsigned lanes = (1u << triangles.size()) - 1u;
+    const unsigned lanes = ((1u << triangles.size()) - 1u) & facesAgainst(faces.faces, leaf.against);
+    if (lanes == 0) return;
     for (std::uint32_t c = leaf.corners_begin; c < leaf.corners_end; ++c) {
       const LeavesNearby::Corners& corners = own.corners[c];
       const auto& [x, y, z] = corners.position;
-      for (const std::uint32_t lane : Lanes(cornersInBox(corners, faces, rounding))) {
+      for (const std::uint32_t lane : Lanes(cornersInBox(corners, other, rounding))) {
         const Vec8 point{Float8(x[lane]), Float8(y[lane]), Float8(z[lane])};
         for (const std::uint32_t face : Lanes(facesUnder(faces, lanes, point, limit, rounding)))
-          found.push_back({corners.triangle[lane], corners.corner[lane], triangles[face]});
+          found.push_back({corners.corner[lane], corners.triangle[lane], triangles[face]});
       }
     }
   };
   const auto visit = [&](Slot slot_a, Slot slot_b) HWY_ATTR {
     const std::uint32_t place_a = placeOf(searched_a, slot_a), place_b = placeOf(searched_b, slot_b);
     const LeavesNearby::Leaf &leaf_a = of_a.leaves[place_a], &leaf_b = of_b.leaves[place_b];
-    const Child child_a = tree_a.child(slot_a), child_b = tree_b.child(slot_b);
-    const LeafCones &cones_a = a.conesAt(slot_a), &cones_b = b.conesAt(slot_b);
-    if (mayOppose(cones_a.corners, cones_b.faces, turn))
-      addPairs(of_a, leaf_a, leaf_b, tree_b.triangles(child_b), near.corners_of_a);
-    if (mayOppose(cones_a.faces, cones_b.corners, turn))
-      addPairs(of_b, leaf_b, leaf_a, tree_a.triangles(child_a), near.corners_of_b);
+    addPairs(of_a, leaf_a, leaf_b, of_b.faces[place_b], tree_b.triangles(tree_b.child(slot_b)),
+             near.corners_of_a);
+    addPairs(of_b, leaf_b, leaf_a, of_a.faces[place_a], tree_a.triangles(tree_a.child(slot_a)),
+             near.corners_of_b);
     for (std::uint32_t i = leaf_a.edges_begin; i < leaf_a.edges_end; ++i) {
       for (std::uint32_t j = leaf_b.edges_begin; j < leaf_b.edges_end; ++j) {
         const LeavesNearby::Edge &edge_a = of_a.edges[i], &edge_b = of_b.edges[j];
@@ -212,10 +297,8 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
         if (x * x + y * y + z * z <= far * far) near.edges.push_back({edge_a.edge, edge_b.edge});
       }
     }
-    return false;
   };
-  walkPairs<TraversalStack>(
-      tree_a, tree_b, pose, NodePair(), WidestGap(), [&] { return limit; }, visit);
+  walkFeatures(searched_a, searched_b, limit, rounding, visit);
 }
 
 }  // namespace octoblisk::detail::HWY_NAMESPACE
@@ -236,6 +319,7 @@ void NearFeatures::find(const MeshFeatures& a, const MeshFeatures& b, const Pose
   const auto prepare = [](LeavesNearby& nearby, const MeshFeatures& mesh) {
     for (const LeavesNearby::Leaf& leaf : nearby.leaves) nearby.place[leaf.slot] = kNoIndex;
     nearby.leaves.clear();
+    nearby.faces.clear();
     nearby.corners.clear();
     nearby.edges.clear();
     const std::size_t slots = treeOf(mesh.tree()).nodeCount() * kLanes;

@@ -9,10 +9,10 @@
 
 namespace octoblisk::detail {
 
-/// A corner of one mesh, listed with a triangle, and a face of the other mesh over or under which it is.
+/// A corner of one mesh, the triangle with which it is listed, and a face of the other mesh over or under
+/// which it is.
 struct CornerAndFace {
-  std::uint32_t triangle, corner;  ///< the corner with this number (0..2) in the triangle
-  std::uint32_t face;
+  std::uint32_t corner, triangle, face;
 };
 
 struct EdgeAndEdge {
@@ -24,7 +24,7 @@ struct LeavesNearby {
   /// Up to eight corners of a leaf, in the other tree's local frame.
   struct Corners {
     float position[3][kLanes];
-    std::uint32_t triangle[kLanes], corner[kLanes];
+    std::uint32_t corner[kLanes], triangle[kLanes];
   };
   /// An edge, and a ball around it in A's local frame.
   struct Edge {
@@ -36,21 +36,25 @@ struct LeavesNearby {
     float normal[3][kLanes];
     float height[kLanes];
   };
-  /// All in the tree's local frame.
+  /// The faces of a leaf in the tree's local frame.
+  struct Faces {
+    Planes faces;
+    Planes edges[3];  ///< through the faces' edges, perpendicular to the faces, facing outward
+  };
   struct Leaf {
     std::uint32_t slot;
     std::uint32_t corners_begin, corners_end;
     std::uint32_t edges_begin, edges_end;
-    /// The box of the points that are over or under the faces, within the reach.
+    NormalCone against;  ///< that of the corners, in the other mesh's frame
+    /// The box of the points that are over or under the faces, within the reach; in the tree's local frame.
     float axes[3][3];
     float center[3];  ///< along the axes
     float half_extents[3];
-    Planes faces;
-    Planes edges[3];  ///< through the faces' edges, perpendicular to the faces, facing outward
   };
 
   std::vector<std::uint32_t> place;  // per slot: the place of its leaf in `leaves`, or none
   std::vector<Leaf> leaves;
+  std::vector<Faces> faces;  // of the leaves
   std::vector<Corners> corners;
   std::vector<Edge> edges;
 };
