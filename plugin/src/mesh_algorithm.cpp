@@ -14,6 +14,7 @@
 #include "contact/solid_mesh.h"
 #include "octoblisk/body_bounds.h"
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/raycast.h"
 #include "octoblisk_bullet/all_contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -278,11 +279,12 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
-  if (!overlap()) return way_back_.noticeApart();
+  const bool is_past_nearby = way_back_.isThrough() && !contacts_.empty();
+  if (!overlap() && !is_past_nearby) return way_back_.noticeApart();
   const TriangleMesh& triangles = shapes.treeOfMesh().mesh();
-  const std::optional<Vec3> middle = middleOfOther();
+  const std::optional<WayBack::ConvexBody> convex = convexOther();
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
-  if (middle && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
+  if (convex && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side
   const btScalar length = last_step_ ? last_step_->length : time_step;
   const Pose start = startOf(mesh, length, last_step_ ? &last_step_->mesh_in_world : nullptr).inverse() *
@@ -293,17 +295,24 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
     findBodyContacts(shapes, reach, contacts_);
     if (!were_apart) {
       // From the next step on, the middle of a convex body shows its side.
-      return middle ? way_back_.noticeApart() : way_back_.noticeOverlap();
+      return convex ? way_back_.noticeApart() : way_back_.noticeOverlap();
     }
   }
-  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, middle, [&](const Contact& contact) {
+  const auto triangles_at = [&](const Contact& contact) {
     WayBack::OpenTriangles open;
     if (!shapes.mesh.solid().boundsSolid(contact.triangle_a))
       open.of_a = triangles.triangle(contact.triangle_a);
     if (shapes.other.isConcave() && !(other_mesh && other_mesh->solid().boundsSolid(contact.triangle_b)))
       open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
     return open;
-  });
+  };
+  const auto crossing = [&](const Vec3& from, const Vec3& to) {
+    auto hit = closestHit(shapes.treeOfMesh(), {from, to - from, 1.0});
+    if (hit && shapes.mesh.solid().boundsSolid(hit->triangle)) hit.reset();
+    return hit;
+  };
+  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, convex ? &*convex : nullptr, triangles_at,
+                     crossing);
 }
 
 void MeshAlgorithm::noticeRoom() {

@@ -116,8 +116,8 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// The margin of the other body that findTriangleContacts does not include.
   virtual double marginOfOther(const btCollisionShape&) const { return 0.0; }
 
-  /// A point well inside the other body if it is convex, in its frame.
-  virtual std::optional<Vec3> middleOfOther() const { return std::nullopt; }
+  /// The other body, if it is convex.
+  virtual std::optional<WayBack::ConvexBody> convexOther() { return std::nullopt; }
 
   /// The other body's triangle, in its frame, in a contact that was found last; none if the body has no
   /// triangles.

@@ -17,13 +17,19 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
   void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
   bool readOther(const btCollisionShape& other) override;
-  std::optional<Vec3> middleOfOther() const override { return core_.middle(); }
+  std::optional<WayBack::ConvexBody> convexOther() override {
+    return WayBack::ConvexBody{core_.middle(), feet_, double(margin_)};
+  }
   void trianglesHaveMoved() override {
     near_.forget();
     middle_.forget();
   }
 
   ConvexCore core_;
+  struct FeetOfCore {
+    ConvexCore& core;
+    std::span<const Vec3> operator()(const Vec3& towards) const { return core.feet(towards); }
+  } feet_{core_};
   Aabb bounds_;          // of the convex shape
   btScalar margin_ = 0;  // of the convex shape
   TriangleCache near_;

@@ -21,8 +21,16 @@ class WayBackTest : public ::testing::Test {
   }
 
   void pushBack(const WayBack::Step& taken, bool is_convex = true) {
-    const std::optional<Vec3> middle = is_convex ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
-    way_back_.pushBack(contacts_, taken, middle, [this](const Contact&) { return triangles_; });
+    const auto feet = [this](const Vec3&) { return std::span<const Vec3>(feet_); };
+    const WayBack::ConvexBody body{Vec3::Zero(), feet, kRadius};
+    const auto crossing = [](const Vec3& from, const Vec3& to) -> std::optional<RayHit> {
+      if (from.z() * to.z() > 0.0) return std::nullopt;
+      const double t = from.z() / (from.z() - to.z());
+      return RayHit{t, 0, from + t * (to - from), Vec3::UnitZ(), from.z() < 0.0};
+    };
+    way_back_.pushBack(
+        contacts_, taken, is_convex ? &body : nullptr, [this](const Contact&) { return triangles_; },
+        crossing);
   }
 
   /// The ways in which the contacts push, as a mean.
@@ -37,6 +45,8 @@ class WayBackTest : public ::testing::Test {
   const Triangle surface_{Vec3(-kFar, -kFar, 0), Vec3(kFar, -kFar, 0), Vec3(0, kFar, 0)};
   WayBack::OpenTriangles triangles_{surface_, std::nullopt};
   std::vector<Contact> contacts_;
+  static constexpr double kRadius = 0.1;
+  std::vector<Vec3> feet_;
 };
 
 TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
@@ -60,6 +70,33 @@ TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
   pushBack(step(0.3, -0.01));
   ASSERT_EQ(contacts_.size(), 1u);
   EXPECT_EQ(contacts_[0].distance, -0.05);
+}
+
+TEST_F(WayBackTest, feetThatArePastTheSurfaceAreAsDeepAsTheyAre) {
+  feet_ = {Vec3(1, 0, 0.05), Vec3(-1, 0, -0.25), Vec3(2, 0, 0.45)};
+  contacts_ = {push(kDown, 0.1)};
+  way_back_.noticeApart();
+  pushBack(step(0.3, -0.2));
+  ASSERT_EQ(contacts_.size(), 2u);  // one of the feet is above the surface
+  EXPECT_EQ(way(), kUp);
+  EXPECT_NEAR(contacts_[0].distance, -0.15 - kRadius, 1e-12);
+  EXPECT_NEAR(contacts_[1].distance, -0.45 - kRadius, 1e-12);
+  EXPECT_LT((contacts_[1].point_on_a - Vec3(-1, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((contacts_[1].point_on_b - Vec3(-1, 0, -0.45 - kRadius)).norm(), 1e-12);
+  EXPECT_TRUE(way_back_.isThrough());
+}
+
+/// Two triangles push a rod sideways, each its own way, out of the edge that they share.
+TEST_F(WayBackTest, feetAreFoundAlsoWhereContactsPushAlongTheSurface) {
+  feet_ = {Vec3(0, 1, -0.2), Vec3(0, -1, 0.2)};
+  contacts_ = {{Vec3::Zero(), Vec3(-0.1, 0, 0), Vec3::UnitX(), -0.1},
+               {Vec3::Zero(), Vec3(0.1, 0, 0), -Vec3::UnitX(), -0.1}};
+  way_back_.noticeApart();
+  pushBack(step(0.3, 0.1));
+  ASSERT_EQ(contacts_.size(), 3u);
+  EXPECT_NEAR(contacts_[2].distance, -0.1 - kRadius, 1e-12);
+  EXPECT_EQ(contacts_[2].normal, kUp * Vec3::UnitZ());
+  EXPECT_TRUE(way_back_.isThrough());
 }
 
 TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {

@@ -30,8 +30,25 @@ Contact turnedRound(Contact contact, const Vec3& direction, double distance, boo
 
 }  // namespace
 
-void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const std::optional<Vec3>& middle,
-                       FunctionRef<OpenTriangles(const Contact& contact)> triangles_at) {
+/// Adds contacts of the feet that are past an open surface of A, on which B stands if it is pushed along a
+/// unit vector.
+void WayBack::addFeet(const ConvexBody& body, const Pose& now, const Vec3& towards, FindCrossing crossing,
+                      std::vector<Contact>& contacts) const {
+  const Vec3 before = reference_ * body.middle;
+  for (const Vec3& point : body.feet(now.rotation.transpose() * towards)) {
+    const Vec3 foot = now * point;
+    const auto hit = crossing(before, foot + body.radius * towards);
+    if (!hit) continue;
+    const Vec3 normal = hit->back_face ? hit->normal : Vec3(-hit->normal);  // away from where B was
+    const double height = normal.dot(hit->point - foot);
+    contacts.push_back({foot + height * normal, foot + body.radius * normal, normal, height - body.radius,
+                        hit->triangle, kNoTriangle});
+  }
+}
+
+void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const ConvexBody* convex,
+                       FunctionRef<OpenTriangles(const Contact& contact)> triangles_at,
+                       FindCrossing crossing) {
   if (state_ == State::unknown) return;
   if (state_ == State::fresh || state_ == State::apart) {
     state_ = State::touching;
@@ -39,8 +56,9 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
   }
   const bool was_through = state_ == State::through;
   const Pose to_reference = reference_ * step.now.inverse();
-  bool pushes_back = false;
-  Contact turned;  // the deepest of the removed contacts
+  bool pushes_back = false, overlaps = false;
+  Vec3 away = Vec3::Zero();  // the way that A should go, at the last contact that does not push B back
+  Contact turned;            // the deepest of the removed contacts
   double deepest = std::numeric_limits<double>::infinity();
   std::size_t kept = 0;
   for (const Contact& contact : contacts) {
@@ -49,14 +67,15 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
     const bool is_of_a = std::abs(of_a.dot(contact.normal)) >= std::abs(of_b.dot(contact.normal));
     const Vec3& normal = is_of_a ? of_a : of_b;
     const Vec3& place = is_of_a ? contact.point_on_a : contact.point_on_b;
-    const Vec3 now = middle ? Vec3(step.now * *middle) : place, before = to_reference * now;
+    const Vec3 now = convex ? Vec3(step.now * convex->middle) : place, before = to_reference * now;
     const Vec3 normal_before = is_of_a ? normal : Vec3(to_reference.rotation * normal);
     const double height = normal_before.dot(before - place);
     const Vec3 out = std::copysign(1.0, -height) * normal;  // the way that A should go
     const double cosine = out.dot(contact.normal);
     // A contact that does not overlap shows a side only if the body has moved farther than it is away.
     const bool has_side = std::abs(height) > std::max(0.0, contact.distance);
-    const bool is_known = has_side && ((middle && was_through) || std::abs(cosine) > kAlong);
+    if (has_side && !(cosine > kAlong)) away = out;
+    const bool is_known = has_side && ((convex && was_through) || std::abs(cosine) > kAlong);
     if (is_known && !(cosine > kAlong)) {
       state_ = State::through;
       if (contact.distance >= deepest) continue;
@@ -64,13 +83,17 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const s
       turned = turnedRound(contact, out, std::min(0.0, out.dot(before - now)), is_of_a);
     } else {
       pushes_back |= is_known;
+      overlaps |= contact.distance <= 0.0;
       contacts[kept++] = contact;
     }
   }
   const bool removes = kept < contacts.size();
   contacts.resize(kept);
-  if (middle && !removes && (pushes_back || !was_through)) state_ = State::apart;
-  if (kept == 0 && removes) contacts.push_back(turned);
+  if (convex && !away.isZero(0.0)) addFeet(*convex, step.now, away, crossing, contacts);
+  const bool has_feet = contacts.size() > kept;
+  if (has_feet) state_ = State::through;
+  if (convex && !removes && !has_feet && (pushes_back || !was_through)) state_ = State::apart;
+  if (removes && !overlaps && !has_feet) contacts.push_back(turned);
 }
 
 }  // namespace octoblisk::detail

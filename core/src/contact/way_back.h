@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "contact/foot_contacts.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/function_ref.h"
+#include "octoblisk/raycast.h"
 #include "octoblisk/triangle_mesh.h"
 
 namespace octoblisk::detail {
@@ -28,29 +30,47 @@ class WayBack {
   /// Whether nothing is known about the bodies.
   bool isNew() const { return state_ == State::fresh; }
 
+  /// Whether a body is on the wrong side of an open surface.
+  bool isThrough() const { return state_ == State::through; }
+
   /// Discards all that is known.
   void forget() { state_ = State::fresh; }
 
-  /// Call this in each step in which the bodies do not overlap.
+  /// Call this in each step in which the bodies do not overlap, unless a body is through and near.
   void noticeApart() { state_ = State::apart; }
 
   /// Call this if isNew() and the bodies already overlap at the start of a step. Contacts stay as they are
   /// until the bodies are apart.
   void noticeOverlap() { state_ = State::unknown; }
 
-  /// Call this with all contacts in each step in which the bodies overlap. If isNew(), the bodies must have
-  /// been apart at the start of the step. Removes the contacts that push a body through an open surface. If
-  /// no contact remains, the deepest of the removed contacts returns, turned round.
+  /// B, if it is convex, in its own frame.
+  struct ConvexBody {
+    Vec3 middle;  ///< a point well inside
+    FindFeet feet;
+    double radius;
+  };
+
+  /// Where the way between two points crosses an open surface of A first; all in A's frame.
+  using FindCrossing = FunctionRef<std::optional<RayHit>(const Vec3& from, const Vec3& to)>;
+
+  /// Call this with all contacts in each other step. If isNew(), the bodies must have been apart at the start
+  /// of the step. Removes the contacts that push a body through an open surface. Adds contacts of a convex
+  /// body's feet that are past the surface: the way from where its middle was to such a foot crosses the
+  /// surface. If there are none, and no contact remains that overlaps, the deepest of the removed contacts
+  /// returns, turned round.
   ///
   /// The right side of a surface is where B was at the start of the step. A convex B is represented by its
-  /// `middle`, any other body by its point at the contact. Once a contact was removed, the start of that step
+  /// middle, any other body by its point at the contact. Once a contact was removed, the start of that step
   /// remains the reference until a convex body is back. For other bodies, the reference is the start of the
   /// first step in which they overlap. A contact that pushes along the surface, e.g. at its edge, stays,
   /// unless a convex body is known to be on the wrong side.
-  void pushBack(std::vector<Contact>& contacts, const Step& step, const std::optional<Vec3>& middle,
-                FunctionRef<OpenTriangles(const Contact& contact)> triangles_at);
+  void pushBack(std::vector<Contact>& contacts, const Step& step, const ConvexBody* convex,
+                FunctionRef<OpenTriangles(const Contact& contact)> triangles_at, FindCrossing crossing);
 
  private:
+  void addFeet(const ConvexBody& body, const Pose& now, const Vec3& towards, FindCrossing crossing,
+               std::vector<Contact>& contacts) const;
+
   enum class State {
     fresh,     ///< nothing is known
     unknown,   ///< the bodies overlapped from the start
