@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
@@ -144,8 +145,9 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
   }
 }
 
-/// Whether all triangles that meet are connected, by others that meet, with a contact that pushes them apart.
-bool FeatureContacts::areMeetingsFelt(const MeshFeatures& a, const MeshFeatures& b) {
+/// Puts first the triangles that meet and are not connected, by others that meet, with a contact that pushes
+/// them apart. Returns their number.
+std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatures& b) {
   const auto set = [](const MeshFeatures& mesh, std::uint32_t triangle, std::vector<char>& is_felt, char to) {
     for (const std::uint32_t corner : mesh.cornersOf(triangle)) is_felt[corner] = to;
   };
@@ -177,7 +179,50 @@ bool FeatureContacts::areMeetingsFelt(const MeshFeatures& a, const MeshFeatures&
   } while (left > 0 && left < before);
   for (const Contact& contact : contacts_) setBoth(contact.triangle_a, contact.triangle_b, 0);
   for (const TrianglePair& pair : meeting_) setBoth(pair.a, pair.b, 0);
-  return left == 0;
+  return left;
+}
+
+/// Adds a contact for each connected part of the curve in which the first `unfelt` pairs meet. Returns false
+/// if a part does not say the way out.
+bool FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                                   std::size_t unfelt) {
+  if (unfelt == 0) return true;
+  const TriangleMesh &mesh_a = a.tree().mesh(), &mesh_b = b.tree().mesh();
+  const auto first_of_b = static_cast<std::uint32_t>(mesh_a.triangleCount());
+  groups_.reset(first_of_b + mesh_b.triangleCount());
+  const std::span pairs = std::span(meeting_).first(unfelt);
+  for (const TrianglePair& pair : pairs) groups_.join(first_of_b + pair.b, pair.a);
+  std::ranges::sort(pairs, {}, [&](const TrianglePair& pair) {
+    return std::tuple(groups_.rootOf(pair.a), pair.a, pair.b);
+  });
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    const TrianglePair of_group = *first;
+    const std::uint32_t group = groups_.rootOf(of_group.a);
+    curve_.clear();
+    for (; first != pairs.end() && groups_.rootOf(first->a) == group; ++first) {
+      const auto segment = meetingSegment(mesh_a.triangle(first->a), b_in_a * mesh_b.triangle(first->b));
+      if (segment) curve_.push_back(*segment);
+    }
+    if (!curve_.empty() && !addCrossing(of_group)) return false;
+  }
+  return true;
+}
+
+/// Adds a contact along the way out of the curve, as deep as the curve extends along it. Returns false if the
+/// curve is planar, and the overlap is deeper than that.
+bool FeatureContacts::addCrossing(const TrianglePair& pair) {
+  Vec3 between = Vec3::Zero();  // the faces
+  for (const CurveSegment& segment : curve_) {
+    between +=
+        (segment.to - segment.from).norm() * (segment.normal_b.normalized() - segment.normal_a.normalized());
+  }
+  const std::optional<Vec3> of_closed = wayOut(curve_);
+  const Vec3 out = of_closed.value_or(between.normalized());
+  const double depth = extentAlong(out, curve_);
+  if (depth <= not_felt_) return !of_closed && std::isfinite(depthAlong(out, curve_));
+  const Vec3 middle = middleOf(curve_), half = 0.5 * depth * out;
+  contacts_.push_back({middle - half, middle + half, out, -depth, pair.a, pair.b});
+  return true;
 }
 
 bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
@@ -206,7 +251,10 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   addEdges(a, b, b_in_a);
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
-  if (!meeting_.empty() && (is_deep_ || least < -kShallow * reach || !areMeetingsFelt(a, b))) return false;
+  if (!meeting_.empty()) {
+    if (is_deep_ || least < -kShallow * reach) return false;
+    if (!addCrossings(a, b, b_in_a, countUnfelt(a, b))) return false;
+  }
   if (meeting_.empty() && least > not_felt_) {
     const Clearance nearest =
         distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach, least - not_felt_)});

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "contact/mesh_features.h"
 #include "contact/near_features.h"
+#include "geometry/intersection_curve.h"
 #include "octoblisk/contact.h"
 
 namespace octoblisk::detail {
@@ -21,8 +23,9 @@ class FeatureContacts {
  public:
   /// Replaces `found` with the contacts of the solids A and B within `reach`. Distances less than 1/40 of
   /// `spacing` have no effect. If no contact is as near as the nearest points of the surfaces, these are one.
-  /// Returns false where features do not say the way out: if the solids are in each other by more than half
-  /// the reach, or if triangles meet where no feature has a contact. Allocates nothing once warm.
+  /// If triangles meet where no contact is near, their curve has a contact along its way out. Returns false
+  /// where features do not say the way out: if the solids are in each other by more than half the reach, or
+  /// if such a curve has no end along its way out. Allocates nothing once warm.
   bool find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach, double spacing,
             std::vector<Contact>& found);
 
@@ -49,7 +52,9 @@ class FeatureContacts {
                     const CornerAndFace& pair, Heights& heights);
   void addCorner(const CornerAndFace& pair, const Vec3& point, const Vec3& normal, double height);
   void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
-  bool areMeetingsFelt(const MeshFeatures& a, const MeshFeatures& b);
+  std::size_t countUnfelt(const MeshFeatures& a, const MeshFeatures& b);
+  bool addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
+  bool addCrossing(const TrianglePair& pair);
 
   double reach_ = 0.0, not_felt_ = 0.0;
   bool is_deep_ = false;               // whether a corner is deeper than half the reach
@@ -60,6 +65,8 @@ class FeatureContacts {
   std::vector<char> is_felt_a_,
       is_felt_b_;  // per corner: whether a triangle at it has a contact that touches
   std::vector<Contact> contacts_;
+  DisjointSets groups_;  // of triangles of A, then of B, that meet
+  std::vector<CurveSegment> curve_;
 };
 
 }  // namespace octoblisk::detail
