@@ -12,6 +12,7 @@ std::unique_ptr<GalleryScene> makePile(int bodies, const BuildOptions& tree = {}
 std::unique_ptr<GalleryScene> makeTower(int cylinders, const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeClothBesideGimpact(const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeGearTrain(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeNutOnBolt(const BuildOptions& tree = {});
 std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies, const BuildOptions& tree = {});
 
 }  // namespace octoblisk::gallery

@@ -1,13 +1,17 @@
 // The meshes of the gallery, tests and benchmarks: closed, facing outward, and of the stated size.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "octoblisk/clustered_octree.h"
+#include "octoblisk/distance.h"
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/surface.h"
 #include "shapes/bodies.h"
 #include "shapes/sheets.h"
+#include "shapes/threads.h"
 
 namespace octoblisk {
 namespace {
@@ -53,6 +57,38 @@ TEST(Shapes, trefoilKnot) {
     for (std::size_t i = 0; i < 2000; ++i)
       ASSERT_GT((knot->vertices()[v] - vertices[3 * i]).norm(), 0.064) << v;
   }
+}
+
+/// A cut across the axis is the profile, once around; its area is the same at any height.
+TEST(Shapes, threads) {
+  for (const int size : {4, 8, 16, 20}) {
+    const shapes::Thread thread = shapes::coarseThread(size);
+    const double d = thread.diameter, length = 2.3 * d, height = 0.8 * d;
+    const SharedMesh bolt = shapes::bolt(thread, length), nut = shapes::nut(thread, height);
+    // Of the radius over a pitch: the flats at the crest and at the root, and the flanks between them.
+    const double crest = 0.5 * d, root = crest - 0.625 * 0.5 * std::sqrt(3.0) * thread.pitch;
+    const auto areaWith = [&](double wider) {
+      const double r = root + wider, R = crest + wider;
+      return std::numbers::pi * (R * R / 8.0 + r * r / 4.0 + 5.0 / 8.0 * (R * R + R * r + r * r) / 3.0);
+    };
+    const double head = std::numbers::pi * 0.64 * d * d * 0.6 * d;
+    const double hexagon = 0.5 * std::sqrt(3.0) * 2.25 * d * d;
+    EXPECT_NEAR(volumeOfSolid(bolt, 2) / (areaWith(0.0) * length + head), 1.0, 0.003) << size;
+    EXPECT_NEAR(volumeOfSolid(nut, 0) / ((hexagon - areaWith(thread.play)) * height), 1.0, 0.003) << size;
+
+    const ClusteredOctree bolt_tree = ClusteredOctree::build(bolt), nut_tree = ClusteredOctree::build(nut);
+    const double gap = 0.5 * thread.play;                     // the flanks lean by 30° to the radius
+    for (const double segments : {0.0, 96.0, 201.0, 20.3}) {  // how far the nut has been turned
+      const double turn = segments / thread.segments;
+      const Pose pose{Eigen::AngleAxisd(2.0 * std::numbers::pi * turn, Vec3::UnitZ()).matrix(),
+                      Vec3(0, 0, turn * thread.pitch)};
+      const double distance = octoblisk::distance(bolt_tree, nut_tree, pose).distance;
+      const double chord = 0.5 * d * (1.0 - std::cos(std::numbers::pi / thread.segments));
+      const bool are_aligned = segments == std::round(segments);
+      EXPECT_NEAR(distance, turn > 0.0 ? gap : 0.0, are_aligned ? 0.06 * gap : chord) << size << ' ' << turn;
+    }
+  }
+  EXPECT_THROW(shapes::coarseThread(7), std::invalid_argument);
 }
 
 TEST(Shapes, jack) {

@@ -1,0 +1,162 @@
+#include "shapes/threads.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace octoblisk::shapes {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Places of the profile in pitches from the middle of the crest: the ends of the crest and of the root.
+constexpr std::array<double, 4> kCorners = {-1.0 / 16.0, 1.0 / 16.0, 6.0 / 16.0, 10.0 / 16.0};
+
+/// The bolt's radius at a place of the profile in pitches.
+double radiusAt(const Thread& thread, double place) {
+  const double depth = 0.625 * 0.5 * std::numbers::sqrt3 * thread.pitch;
+  const double from_crest = std::abs(place - std::round(place));
+  const double down = std::clamp((from_crest - kCorners[1]) / (kCorners[2] - kCorners[1]), 0.0, 1.0);
+  return 0.5 * thread.diameter - depth * down;
+}
+
+/// Joins vertices at equal positions, and leaves out triangles without area.
+class Welded {
+ public:
+  std::uint32_t vertex(const Vec3& position) {
+    const auto [place, is_new] = number_.try_emplace({position.x(), position.y(), position.z()},
+                                                     static_cast<std::uint32_t>(vertices_.size()));
+    if (is_new) vertices_.push_back(position);
+    return place->second;
+  }
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) triangles_.push_back({a, b, c});
+  }
+  void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    triangle(a, b, c);
+    triangle(a, c, d);
+  }
+  SharedMesh mesh() {
+    return std::make_shared<const TriangleMesh>(std::move(vertices_), std::move(triangles_));
+  }
+
+ private:
+  std::map<std::tuple<double, double, double>, std::uint32_t> number_;
+  std::vector<Vec3> vertices_;
+  std::vector<TriangleMesh::Indices> triangles_;
+};
+
+Vec3 onCylinder(const Thread& thread, int segment, double radius, double z) {
+  const double angle = kTurn * (segment % thread.segments) / thread.segments;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+using Rim = std::vector<std::uint32_t>;
+
+/// Adds the thread's surface between z = 0 and `height`, and returns its lower and upper rim.
+std::pair<Rim, Rim> addThread(Welded& mesh, const Thread& thread, double wider, double height,
+                              bool faces_in) {
+  // Row k of each column is where the column crosses the k-th line of the profile, which winds around the
+  // axis. The last column is the first one, by one pitch of rows higher.
+  const int per_pitch = 4 * thread.parts;
+  const int rows = per_pitch * (static_cast<int>(std::ceil(height / thread.pitch)) + 3);
+  const auto placeOf = [&](int row) {
+    const int part = row % thread.parts, corner = row / thread.parts;
+    const auto at = [](int k) { return std::floor(k / 4.0) + kCorners[static_cast<std::size_t>(k % 4)]; };
+    return at(corner) + (at(corner + 1) - at(corner)) * part / thread.parts - 2.0;
+  };
+  const auto vertex = [&](int segment, int row) {
+    if (segment == thread.segments) segment = 0, row += per_pitch;
+    const double turn = static_cast<double>(segment) / thread.segments;
+    const double z = std::clamp(thread.pitch * (placeOf(row) + turn), 0.0, height);
+    return mesh.vertex(onCylinder(thread, segment, wider + radiusAt(thread, z / thread.pitch - turn), z));
+  };
+  Rim low, high;
+  for (int segment = 0; segment < thread.segments; ++segment) {
+    for (int row = 0; row < rows; ++row) {
+      const std::uint32_t a = vertex(segment, row), b = vertex(segment + 1, row),
+                          c = vertex(segment + 1, row + 1), d = vertex(segment, row + 1);
+      faces_in ? mesh.quad(a, d, c, b) : mesh.quad(a, b, c, d);  // the diagonals of both are the same
+    }
+    low.push_back(vertex(segment, 0));
+    high.push_back(vertex(segment, rows));
+  }
+  return {low, high};
+}
+
+/// Adds a ring at constant z between two rims; it faces up.
+void addRing(Welded& mesh, const Rim& inner, const Rim& outer) {
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const std::size_t next = (i + 1) % inner.size();
+    mesh.quad(inner[i], outer[i], outer[next], inner[next]);
+  }
+}
+
+/// Adds a disk at constant z within a rim; it faces up.
+void addDisk(Welded& mesh, const Rim& rim, double z) {
+  const std::uint32_t middle = mesh.vertex({0.0, 0.0, z});
+  for (std::size_t i = 0; i < rim.size(); ++i) mesh.triangle(middle, rim[i], rim[(i + 1) % rim.size()]);
+}
+
+/// Adds the wall between two rims; it faces outward.
+void addWall(Welded& mesh, const Rim& low, const Rim& high) {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const std::size_t next = (i + 1) % low.size();
+    mesh.quad(low[i], low[next], high[next], high[i]);
+  }
+}
+
+Rim reversed(Rim rim) {
+  std::ranges::reverse(rim);
+  return rim;
+}
+
+}  // namespace
+
+Thread coarseThread(int size) {
+  static const std::map<int, double> kPitches = {{4, 0.7e-3},  {5, 0.8e-3},   {6, 1e-3},  {8, 1.25e-3},
+                                                 {10, 1.5e-3}, {12, 1.75e-3}, {16, 2e-3}, {20, 2.5e-3}};
+  const auto pitch = kPitches.find(size);
+  if (pitch == kPitches.end()) throw std::invalid_argument("M" + std::to_string(size) + " is not listed");
+  return {.diameter = 1e-3 * size, .pitch = pitch->second, .play = pitch->second / 50.0};
+}
+
+SharedMesh bolt(const Thread& thread, double length) {
+  Welded mesh;
+  const double head_height = 0.6 * thread.diameter, head_radius = 0.8 * thread.diameter;
+  const auto [low, high] = addThread(mesh, thread, 0.0, length, false);
+  Rim head_top, head_bottom;
+  for (int segment = 0; segment < thread.segments; ++segment) {
+    head_top.push_back(mesh.vertex(onCylinder(thread, segment, head_radius, 0.0)));
+    head_bottom.push_back(mesh.vertex(onCylinder(thread, segment, head_radius, -head_height)));
+  }
+  addDisk(mesh, high, length);
+  addRing(mesh, low, head_top);
+  addWall(mesh, head_bottom, head_top);
+  addDisk(mesh, reversed(head_bottom), -head_height);
+  return mesh.mesh();
+}
+
+SharedMesh nut(const Thread& thread, double height) {
+  Welded mesh;
+  const auto [low, high] = addThread(mesh, thread, thread.play, height, true);
+  Rim outer_low, outer_high;
+  for (int segment = 0; segment < thread.segments; ++segment) {
+    const double sixth = kTurn / 6.0, angle = kTurn * segment / thread.segments;
+    const double from_flat = angle - sixth * std::round(angle / sixth);
+    const double radius = 0.75 * thread.diameter / std::cos(from_flat);
+    outer_low.push_back(mesh.vertex(onCylinder(thread, segment, radius, 0.0)));
+    outer_high.push_back(mesh.vertex(onCylinder(thread, segment, radius, height)));
+  }
+  addRing(mesh, high, outer_high);
+  addRing(mesh, reversed(low), reversed(outer_low));
+  addWall(mesh, outer_low, outer_high);
+  return mesh.mesh();
+}
+
+}  // namespace octoblisk::shapes
