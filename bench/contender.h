@@ -109,6 +109,19 @@ class PileQuery {
   virtual double depth() const = 0;  ///< greatest penetration depth of a body in another or in the floor, m
 };
 
+/// A Bullet world in which a nut runs down a bolt, without friction.
+class AssemblyQuery {
+ public:
+  virtual ~AssemblyQuery() = default;
+  /// Puts the nut at its start.
+  virtual void restart() = 0;
+  virtual void step() = 0;
+  virtual double sunk() const = 0;          ///< how far the nut has run down, mm
+  virtual double expectedSunk() const = 0;  ///< by the closed form, mm
+  virtual double offHelix() const = 0;      ///< greatest distance from the helix since the start, mm
+  virtual double play() const = 0;          ///< along the axis, mm
+};
+
 /// The first triangle that a segment through the blisk hits.
 class RayQuery {
  public:
@@ -186,6 +199,7 @@ struct Contender {
   Maker<WorldSweepQuery> world_sweep = {};
   Maker<WorldStepQuery> world_step = {};
   Maker<PileQuery> pile = {};
+  Maker<AssemblyQuery> assembly = {};
   Maker<DistanceQuery> distance = {};
   Maker<RayQuery> ray = {};
   Maker<BuildQuery> build = {};
@@ -199,8 +213,8 @@ void forEachMaker(Visit&& visit) {
   const auto each = [&](auto... maker) { (visit(maker), ...); };
   each(&Contender::collide, &Contender::contacts, &Contender::world_contacts, &Contender::world_closest,
        &Contender::world_primitive, &Contender::world_ray, &Contender::world_sweep, &Contender::world_step,
-       &Contender::pile, &Contender::distance, &Contender::ray, &Contender::build, &Contender::refit,
-       &Contender::boxes);
+       &Contender::pile, &Contender::assembly, &Contender::distance, &Contender::ray, &Contender::build,
+       &Contender::refit, &Contender::boxes);
 }
 
 /// All contenders of a group in this build: ours first, the others by name.

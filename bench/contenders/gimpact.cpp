@@ -4,6 +4,7 @@
 #include "contender.h"
 #include "gimpact_shape.h"
 #include "hulls_on_blisk.h"
+#include "nut_on_bolt.h"
 #include "primitive_on_mesh.h"
 
 namespace octoblisk::bench {
@@ -72,9 +73,26 @@ class GimpactPile final : public ConcavePileQuery {
   std::vector<std::unique_ptr<BulletMesh>> meshes_;
 };
 
+class GimpactNut final : public NutOnBoltQuery {
+ public:
+  explicit GimpactNut(const Scene&)
+      : NutOnBoltQuery([this](const gallery::SharedMesh& mesh) {
+          meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
+          return gimpactShape(*meshes_.back());
+        }) {}
+
+ private:
+  void prepare(btCollisionDispatcher& dispatcher) override {
+    meshes_.clear();
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
+  }
+
+  std::vector<std::unique_ptr<BulletMesh>> meshes_;
+};
+
 const bool kRegistered =
     registerContender<InBulletWorld<GimpactShapes>, BulletContacts<GimpactShapes>, BulletRefit<GimpactShapes>,
-                      GimpactBuild, HullsOnBlisk<GimpactOnFloor>, GimpactPile,
+                      GimpactBuild, HullsOnBlisk<GimpactOnFloor>, GimpactPile, GimpactNut,
                       PrimitiveOnMesh<GimpactOnFloor>>("gimpact") &&
     describe("gimpact", bulletVersion());
 

@@ -3,6 +3,7 @@
 #include "concave_pile.h"
 #include "contender.h"
 #include "hulls_on_blisk.h"
+#include "nut_on_bolt.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/register.h"
@@ -62,6 +63,11 @@ class OurPile final : public ConcavePileQuery {
   }
 };
 
+class OurNut final : public NutOnBoltQuery {
+ public:
+  explicit OurNut(const Scene&) : NutOnBoltQuery(gallery::NutOnBolt::ourShapes()) {}
+};
+
 /// The shape: also copies the mesh, and computes mass properties and thickness.
 class OurShapeBuild final : public BuildQuery {
  public:
@@ -79,7 +85,7 @@ class OurShapeBuild final : public BuildQuery {
 
 const bool kShape = registerContender<OurShapeBuild>("octoblisk-shape");
 const bool kRegistered = registerContender<InBulletWorld<OurShapes>, HullsOnBlisk<OursOnFloor>, OurPile,
-                                           PrimitiveOnMesh<OurSmallMesh>>(kOurs);
+                                           OurNut, PrimitiveOnMesh<OurSmallMesh>>(kOurs);
 
 }  // namespace
 }  // namespace octoblisk::bench

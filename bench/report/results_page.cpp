@@ -88,6 +88,7 @@ constexpr Section kSections[] = {
     {"world-sweep", "Bullet world: convexSweepTest of a ball of 3 mm"},
     {"world-step", "Bullet world: a step in which hulls fall onto the blisk"},
     {"world-pile", "Bullet world: a step of 64 concave bodies on each other"},
+    {"world-assembly", "Bullet world: a step of a nut that runs down a bolt"},
     {"broadphase-world", "Bullet world: a step of the grinding world, by broadphase"},
 };
 

@@ -18,13 +18,17 @@ class BulletWorld {
     registerAlgorithm(&dispatcher_);
     world_.setGravity(btVector3(0, 0, btScalar(-9.81)));
   }
-  ~BulletWorld() {
-    for (const auto& body : bodies_) world_.removeRigidBody(body.get());
-  }
+  ~BulletWorld() { clear(); }
   BulletWorld(const BulletWorld&) = delete;
   BulletWorld& operator=(const BulletWorld&) = delete;
 
-  /// Mass 0: static. The shape must outlive the world.
+  /// Removes all bodies. Shapes that do not outlive the world must outlive their bodies.
+  void clear() {
+    for (const auto& body : bodies_) world_.removeRigidBody(body.get());
+    bodies_.clear();
+  }
+
+  /// Mass 0: static. The shape must outlive the body.
   btRigidBody& add(btCollisionShape& shape, btScalar mass, const btTransform& pose) {
     btVector3 inertia(0, 0, 0);
     if (mass > 0) shape.calculateLocalInertia(mass, inertia);

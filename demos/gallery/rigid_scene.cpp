@@ -14,7 +14,7 @@ ClusteredOctreeShape& RigidScene::shapeOf(const shapes::SharedMesh& mesh, double
 btRigidBody& RigidScene::add(btCollisionShape& shape, double mass, const btTransform& pose,
                              const demos::Color& color) {
   btRigidBody& body = world_.add(shape, btScalar(mass), pose);
-  colors_.emplace_back(&body, color);
+  show(body, color);
   return body;
 }
 

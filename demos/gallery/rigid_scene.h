@@ -24,7 +24,10 @@ class RigidScene : public GalleryScene {
   /// calmly.
   ClusteredOctreeShape& shapeOf(const shapes::SharedMesh& mesh, double margin = 0.01);
 
-  /// Adds a body to the world, with a colour.
+  /// Draws a body of the world.
+  void show(const btRigidBody& body, const demos::Color& color) { colors_.emplace_back(&body, color); }
+
+  /// Adds a body to the world, and draws it.
   btRigidBody& add(btCollisionShape& shape, double mass, const btTransform& pose, const demos::Color& color);
 
   /// Sets the box that the camera shows completely.

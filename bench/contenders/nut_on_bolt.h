@@ -1,0 +1,62 @@
+// The gallery's nut on its bolt, for the contenders whose concave bodies can move.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "contender.h"
+#include "gallery/nut_on_bolt.h"
+
+namespace octoblisk::bench {
+
+class NutOnBoltQuery : public AssemblyQuery {
+ public:
+  void restart() override {
+    stop();
+    world_.emplace();
+    prepare(world_->dispatcher());
+    nut_on_bolt_.emplace(*world_, thread(), 4, make_shape_);
+    steps_ = 0;
+    off_helix_ = 0.0;
+  }
+  void step() override {
+    world_->step(1, gallery::NutOnBolt::kTimeStep);
+    nut_on_bolt_->notice();
+    ++steps_;
+    off_helix_ = std::max(off_helix_, 1e3 * nut_on_bolt_->offHelix());
+  }
+  double sunk() const override { return 1e3 * nut_on_bolt_->sunk(); }
+  double expectedSunk() const override {
+    const double time = steps_ * gallery::NutOnBolt::kTimeStep;
+    return 1e3 * 0.5 * nut_on_bolt_->acceleration() * time * time;
+  }
+  double offHelix() const override { return off_helix_; }
+  double play() const override { return 1e3 * 2.0 * thread().play * std::tan(std::numbers::pi / 6.0); }
+
+ protected:
+  explicit NutOnBoltQuery(gallery::MakeShape make_shape) : make_shape_(std::move(make_shape)) {}
+  ~NutOnBoltQuery() override { stop(); }
+  virtual void prepare(btCollisionDispatcher&) {}
+
+ private:
+  static shapes::Thread thread() {
+    shapes::Thread thread = shapes::coarseThread(16);
+    thread.segments = 192;
+    return thread;
+  }
+  void stop() {
+    if (world_) world_->clear();
+    nut_on_bolt_.reset();
+    world_.reset();
+  }
+
+  gallery::MakeShape make_shape_;
+  std::optional<gallery::BulletWorld> world_;
+  std::optional<gallery::NutOnBolt> nut_on_bolt_;
+  int steps_ = 0;
+  double off_helix_ = 0.0;
+};
+
+}  // namespace octoblisk::bench
