@@ -75,18 +75,18 @@ class GimpactPile final : public ConcavePileQuery {
 
 class GimpactNut final : public NutOnBoltQuery {
  public:
-  explicit GimpactNut(const Scene&)
-      : NutOnBoltQuery([this](const gallery::SharedMesh& mesh) {
-          meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
-          return gimpactShape(*meshes_.back());
-        }) {}
+  explicit GimpactNut(const Scene&) {
+    start([this](const gallery::SharedMesh& mesh) {
+      meshes_.push_back(std::make_unique<BulletMesh>(*mesh));
+      return gimpactShape(*meshes_.back());
+    });
+    btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher());
+  }
+  ~GimpactNut() override { stop(); }
+  GimpactNut(const GimpactNut&) = delete;
+  GimpactNut& operator=(const GimpactNut&) = delete;
 
  private:
-  void prepare(btCollisionDispatcher& dispatcher) override {
-    meshes_.clear();
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
-  }
-
   std::vector<std::unique_ptr<BulletMesh>> meshes_;
 };
 

@@ -14,15 +14,13 @@ namespace octoblisk::bench {
 class NutOnBoltQuery : public AssemblyQuery {
  public:
   void restart() override {
-    stop();
-    world_.emplace();
-    prepare(world_->dispatcher());
-    nut_on_bolt_.emplace(*world_, thread(), 4, make_shape_);
+    nut_on_bolt_->restart();
+    world_->getConstraintSolver()->reset();
     steps_ = 0;
     off_helix_ = 0.0;
   }
   void step() override {
-    world_->step(1, gallery::NutOnBolt::kTimeStep);
+    world_.step(1, gallery::NutOnBolt::kTimeStep);
     nut_on_bolt_->notice();
     ++steps_;
     off_helix_ = std::max(off_helix_, 1e3 * nut_on_bolt_->offHelix());
@@ -36,9 +34,13 @@ class NutOnBoltQuery : public AssemblyQuery {
   double play() const override { return 1e3 * 2.0 * thread().play * std::tan(std::numbers::pi / 6.0); }
 
  protected:
-  explicit NutOnBoltQuery(gallery::MakeShape make_shape) : make_shape_(std::move(make_shape)) {}
-  ~NutOnBoltQuery() override { stop(); }
-  virtual void prepare(btCollisionDispatcher&) {}
+  void start(const gallery::MakeShape& make_shape) { nut_on_bolt_.emplace(world_, thread(), 4, make_shape); }
+  /// Must be called before the shapes' meshes are destroyed.
+  void stop() {
+    world_.clear();
+    nut_on_bolt_.reset();
+  }
+  btCollisionDispatcher* dispatcher() { return &world_.dispatcher(); }
 
  private:
   static shapes::Thread thread() {
@@ -46,14 +48,8 @@ class NutOnBoltQuery : public AssemblyQuery {
     thread.segments = 192;
     return thread;
   }
-  void stop() {
-    if (world_) world_->clear();
-    nut_on_bolt_.reset();
-    world_.reset();
-  }
 
-  gallery::MakeShape make_shape_;
-  std::optional<gallery::BulletWorld> world_;
+  gallery::BulletWorld world_;
   std::optional<gallery::NutOnBolt> nut_on_bolt_;
   int steps_ = 0;
   double off_helix_ = 0.0;

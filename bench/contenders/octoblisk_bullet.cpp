@@ -65,7 +65,10 @@ class OurPile final : public ConcavePileQuery {
 
 class OurNut final : public NutOnBoltQuery {
  public:
-  explicit OurNut(const Scene&) : NutOnBoltQuery(gallery::NutOnBolt::ourShapes()) {}
+  explicit OurNut(const Scene&) { start(gallery::NutOnBolt::ourShapes()); }
+  ~OurNut() override { stop(); }
+  OurNut(const OurNut&) = delete;
+  OurNut& operator=(const OurNut&) = delete;
 };
 
 /// The shape: also copies the mesh, and computes mass properties and thickness.

@@ -29,7 +29,7 @@ class NutOnBolt {
 
   /// `pitches`: the height of the nut's lower side over the head at the start.
   NutOnBolt(BulletWorld& world, const shapes::Thread& thread, int pitches, const MakeShape& make_shape)
-      : pitch_(thread.pitch) {
+      : world_(world), pitch_(thread.pitch) {
     const double height = 0.8 * thread.diameter, low = pitches * pitch_;
     const shapes::SharedMesh bolt = shapes::bolt(thread, low + height + 3.0 * pitch_);
     const shapes::SharedMesh nut = centred(*shapes::nut(thread, height), 0.5 * height);
@@ -49,6 +49,19 @@ class NutOnBolt {
 
   btRigidBody& bolt() { return *bolt_; }
   btRigidBody& nut() { return *nut_; }
+
+  /// Puts the nut at its start, at rest.
+  void restart() {
+    world_->removeRigidBody(nut_);  // also removes its pairs
+    const btTransform start = at(0, 0, start_);
+    nut_->setWorldTransform(start);
+    nut_->setInterpolationWorldTransform(start);
+    nut_->setLinearVelocity(btVector3(0, 0, 0));
+    nut_->setAngularVelocity(btVector3(0, 0, 0));
+    nut_->clearForces();
+    world_->addRigidBody(nut_);
+    turned_ = 0.0;
+  }
 
   /// Call this after each step. The nut must turn by less than half a turn in a step.
   void notice() {
@@ -74,6 +87,7 @@ class NutOnBolt {
     return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
   }
 
+  BulletWorld& world_;
   double pitch_, start_ = 0.0, acceleration_ = 0.0, turned_ = 0.0;
   std::unique_ptr<btCollisionShape> bolt_shape_, nut_shape_;
   btRigidBody* bolt_;

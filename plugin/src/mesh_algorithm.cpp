@@ -279,10 +279,10 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
-  const bool is_past_nearby = way_back_.isThrough() && !contacts_.empty();
-  if (!overlap() && !is_past_nearby) return way_back_.noticeApart();
   const TriangleMesh& triangles = shapes.treeOfMesh().mesh();
   const std::optional<WayBack::ConvexBody> convex = convexOther();
+  const bool may_be_past = convex && way_back_.isThrough() && !contacts_.empty();
+  if (!overlap() && !may_be_past) return way_back_.noticeApart();
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
   if (convex && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side

@@ -95,6 +95,12 @@ TEST(FeatureContacts, ofABoxThatLiesTiltedByAHairAreItsFourCorners) {
   }
 }
 
+TEST(FeatureContacts, ofAPoseThatIsNotFiniteAreNone) {
+  const Body torus(testing::torus(1.0, 0.3, 96, 48));
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_TRUE(contactsOf(torus, torus, at({bad, 0.0, 0.0}), 0.02).empty());
+}
+
 TEST(FeatureContacts, ofCrossingEdgesPushAlongTheirPerpendicular) {
   const Body a(boxMesh({1, 1, 1})), b(boxMesh({1, 1, 1}));
   const Vec3 out = Vec3(1.0, 0.0, 1.0).normalized();  // over A's edge along y

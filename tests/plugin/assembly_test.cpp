@@ -1,4 +1,4 @@
-// A nut on a bolt: the helix, the closed form of its acceleration, and friction that holds it.
+// A nut on a bolt: the helix, the closed form of its acceleration, and friction.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST(NutOnBolt, runsDownTheHelixAsFastAsTheClosedFormSays) {
   }
 }
 
-TEST(NutOnBolt, frictionHoldsIt) {
+TEST(NutOnBolt, frictionSlowsItToACreep) {
   const shapes::Thread thread = shapes::coarseThread(12);
   const double lead = thread.pitch / (std::numbers::pi * thread.diameter);  // tan of the lead angle
   const auto turned = [&](double friction) {
@@ -64,7 +64,7 @@ TEST(NutOnBolt, frictionHoldsIt) {
     for (int step = 0; step < 120; ++step) run.step();
     return -run.scene().turned();
   };
-  EXPECT_LT(turned(3.0 * lead), 0.1 * turned(0.0));  // it creeps
+  EXPECT_LT(turned(3.0 * lead), 0.1 * turned(0.0));
 }
 
 }  // namespace

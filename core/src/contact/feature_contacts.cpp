@@ -71,10 +71,10 @@ void FeatureContacts::addCorners(const MeshFeatures& own, const MeshFeatures& ot
   for (const CornerAndFace& pair : pairs) {
     const Triangle face = faces.triangle(pair.face);
     const Vec3 normal = unitNormal(face), point = own_in_other * own.position(pair.corner);
+    if (normal.isZero(0.0)) continue;
     const double height = normal.dot(point - face[0]);
     Heights& heights = heights_[pair.corner];
-    const bool is_pushed =
-        height <= reach_ && !normal.isZero(0.0) && own.isPushedAlong(pair.corner, turn * normal);
+    const bool is_pushed = height <= reach_ && own.isPushedAlong(pair.corner, turn * normal);
     if (std::abs(height) < std::abs(heights.nearest)) heights = {height, pair.face, is_pushed};
     if (is_pushed) pushes_.push_back({pair, point, normal, height});
   }
@@ -208,8 +208,8 @@ bool FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b,
   return true;
 }
 
-/// Adds a contact along the way out of the curve, as deep as the curve extends along it. Returns false if the
-/// curve is planar, and the overlap is deeper than that.
+/// Adds a contact along the way out of the curve, as deep as the curve extends along it, unless that would
+/// not be felt. Returns false if the curve is planar and does not show how deep the overlap is.
 bool FeatureContacts::addCrossing(const TrianglePair& pair) {
   Vec3 between = Vec3::Zero();  // the faces
   for (const CurveSegment& segment : curve_) {
@@ -218,8 +218,10 @@ bool FeatureContacts::addCrossing(const TrianglePair& pair) {
   }
   const std::optional<Vec3> of_closed = wayOut(curve_);
   const Vec3 out = of_closed.value_or(between.normalized());
-  const double depth = extentAlong(out, curve_);
-  if (depth <= not_felt_) return !of_closed && std::isfinite(depthAlong(out, curve_));
+  const double extent = extentAlong(out, curve_), between_faces = depthAlong(out, curve_);
+  if (extent <= not_felt_) return !of_closed && between_faces <= not_felt_;
+  // The curve of surfaces that lie along each other extends much farther than they overlap.
+  const double depth = between_faces > 0.0 ? std::min(extent, between_faces) : extent;
   const Vec3 middle = middleOf(curve_), half = 0.5 * depth * out;
   contacts_.push_back({middle - half, middle + half, out, -depth, pair.a, pair.b});
   return true;

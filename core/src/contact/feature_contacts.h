@@ -14,18 +14,18 @@
 
 namespace octoblisk::detail {
 
-/// A contact is a corner and a face, or two sharp edges that cross. Its normal is the face's normal, or the
-/// perpendicular to both edges, and it is in the cones of directions in which both features can be pushed
-/// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). Its distance is that along
+/// Most contacts are a corner and a face, or two sharp edges that cross. The normal is the face's normal, or
+/// the perpendicular to both edges, and it is in the cones of directions in which both features can be pushed
+/// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). The distance is that along
 /// the normal. A corner outside the other solid has a contact with each face over which it is. A corner
 /// inside has one with the nearest point of the surface.
 class FeatureContacts {
  public:
   /// Replaces `found` with the contacts of the solids A and B within `reach`. Distances less than 1/40 of
   /// `spacing` have no effect. If no contact is as near as the nearest points of the surfaces, these are one.
-  /// If triangles meet where no contact is near, their curve has a contact along its way out. Returns false
-  /// where features do not say the way out: if the solids are in each other by more than half the reach, or
-  /// if such a curve has no end along its way out. Allocates nothing once warm.
+  /// If triangles meet where no contact is near, their curve has a contact along its way out; its points are
+  /// on neither surface. Returns false where features do not say the way out: if a corner or an edge is
+  /// deeper than half the reach, or if such a curve is planar. Allocates nothing once warm.
   bool find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach, double spacing,
             std::vector<Contact>& found);
 

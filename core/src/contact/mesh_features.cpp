@@ -122,7 +122,8 @@ void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner) {
         ways_.push_back(way);
     }
   }
-  ways_[begin] = packed(normal.normalized());
+  constexpr double kCancelled = 1e-6;  // rounding; the corner of two opposite sheets has no normal
+  ways_[begin] = packed(normal.norm() > kCancelled ? Vec3(normal.normalized()) : Vec3(Vec3::Zero()));
 }
 
 void MeshFeatures::listEdges(const Surface& surface) {

@@ -37,7 +37,7 @@ struct LeafFeatures {
   NormalCone against;  ///< the directions opposite to those in which others can push the corners
 };
 
-/// How far from each of a node's eight boxes, empty ones included, the features below it may be in contact.
+/// What bounds how far from each of a node's eight boxes the features below it may be in contact.
 struct NodeReach {
   float lean[3][kLanes];    ///< per axis of the box: the greatest cosine between it and a face's normal
   float sharpness[kLanes];  ///< of the sharpest edge
@@ -67,8 +67,8 @@ class MeshFeatures {
   }
   std::uint32_t triangleOf(const SharpEdge& edge) const;
 
-  /// Whether no neighbour of the corner is farther out against a unit vector in the mesh's frame: whether the
-  /// vector is in the cone of directions in which others can push the corner.
+  /// Whether a unit vector in the mesh's frame is in the cone of directions in which others can push the
+  /// corner: no neighbour is farther out against the vector, and it does not point out of the surface.
   bool isPushedAlong(std::uint32_t corner, const Vec3& direction) const;
 
  private:

@@ -120,8 +120,8 @@ HWY_INLINE void addEdgesOf(const Searched& searched, Child leaf, std::span<const
   }
 }
 
-/// How far beside a box a point may be that is over or under a face in it, over the point's height; for one
-/// box or eight. Beside a corner of a triangle, it may be farther away than beside an edge.
+/// How far beside a box a point may be that is over or under a face in it, as a multiple of the point's
+/// height; for one box or eight. Beside a corner of a triangle, it may be farther away than beside an edge.
 template <typename Real>
 HWY_INLINE Real leaning(const Real& lean) {
   return lean + Real(2.0f * static_cast<float>(kAlike));
@@ -263,6 +263,7 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
                      float least_sharpness, LeavesNearby& of_a, LeavesNearby& of_b, NearFeatures& near) {
   const Tree &tree_a = treeOf(a.tree()), &tree_b = treeOf(b.tree());
   const LocalPose pose(tree_a, tree_b, b_in_a);
+  if (!(pose.size <= kFarthest)) return;  // the pose is not finite
   const float limit = pose.limit(reach), rounding = pose.limit(0.0);
   const Searched searched_a{a, pose.a_to_b, PoseF(Pose()), limit, least_sharpness, of_a},
       searched_b{b, pose.b_to_a, pose.b_to_a, limit, least_sharpness, of_b};

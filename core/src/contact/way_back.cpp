@@ -41,6 +41,8 @@ void WayBack::addFeet(const ConvexBody& body, const Pose& now, const Vec3& towar
     if (!hit) continue;
     const Vec3 normal = hit->back_face ? hit->normal : Vec3(-hit->normal);  // away from where B was
     const double height = normal.dot(hit->point - foot);
+    // Another surface on the way, whose plane the foot has not crossed.
+    if (-height > (foot - reference_ * point).norm() + body.radius) continue;
     contacts.push_back({foot + height * normal, foot + body.radius * normal, normal, height - body.radius,
                         hit->triangle, kNoTriangle});
   }

@@ -50,17 +50,17 @@ class WayBack {
     double radius;
   };
 
-  /// Where the way between two points crosses an open surface of A first; all in A's frame.
+  /// Where the way between two points crosses A first, if that is an open surface; all in A's frame.
   using FindCrossing = FunctionRef<std::optional<RayHit>(const Vec3& from, const Vec3& to)>;
 
-  /// Call this with all contacts in each other step. If isNew(), the bodies must have been apart at the start
-  /// of the step. Removes the contacts that push a body through an open surface. Adds contacts of a convex
-  /// body's feet that are past the surface: the way from where its middle was to such a foot crosses the
-  /// surface. If there are none, and no contact remains that overlaps, the deepest of the removed contacts
-  /// returns, turned round.
+  /// Call this with all contacts in a step with neither of these calls. If isNew(), the bodies must have been
+  /// apart at the start of the step. Removes the contacts that push a body through an open surface. Adds
+  /// contacts of a convex body's feet that are past the surface: the way from where its middle was to such a
+  /// foot crosses the surface. If there are none, and no contact remains that overlaps, the deepest of the
+  /// removed contacts returns, turned round.
   ///
   /// The right side of a surface is where B was at the start of the step. A convex B is represented by its
-  /// middle, any other body by its point at the contact. Once a contact was removed, the start of that step
+  /// middle, any other body by its point at the contact. Once a body is through, the start of that step
   /// remains the reference until a convex body is back. For other bodies, the reference is the start of the
   /// first step in which they overlap. A contact that pushes along the surface, e.g. at its edge, stays,
   /// unless a convex body is known to be on the wrong side.
@@ -76,7 +76,7 @@ class WayBack {
     unknown,   ///< the bodies overlapped from the start
     apart,     ///< they do not overlap, or a convex body is on the right side
     touching,  ///< they overlap since reference_
-    through    ///< a contact was removed since reference_
+    through    ///< a body was found on the wrong side since reference_
   };
 
   State state_ = State::fresh;
