@@ -6,6 +6,7 @@
 #include "models/blisk.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
+#include "octoblisk/containment.h"
 #include "octoblisk/depth.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
