@@ -13,6 +13,8 @@ namespace octoblisk::bench {
 
 class NutOnBoltQuery : public AssemblyQuery {
  public:
+  ~NutOnBoltQuery() override { stop(); }
+
   void restart() override {
     nut_on_bolt_->restart();
     world_->getConstraintSolver()->reset();
@@ -31,10 +33,10 @@ class NutOnBoltQuery : public AssemblyQuery {
     return 1e3 * 0.5 * nut_on_bolt_->acceleration() * time * time;
   }
   double offHelix() const override { return off_helix_; }
-  double play() const override { return 1e3 * 2.0 * thread().play * std::tan(std::numbers::pi / 6.0); }
+  double play() const override { return 1e3 * 2.0 * thread_.play * std::tan(std::numbers::pi / 6.0); }
 
  protected:
-  void start(const gallery::MakeShape& make_shape) { nut_on_bolt_.emplace(world_, thread(), 4, make_shape); }
+  void start(const gallery::MakeShape& make_shape) { nut_on_bolt_.emplace(world_, thread_, 4, make_shape); }
   /// Must be called before the shapes' meshes are destroyed.
   void stop() {
     world_.clear();
@@ -43,12 +45,7 @@ class NutOnBoltQuery : public AssemblyQuery {
   btCollisionDispatcher* dispatcher() { return &world_.dispatcher(); }
 
  private:
-  static shapes::Thread thread() {
-    shapes::Thread thread = shapes::coarseThread(16);
-    thread.segments = 192;
-    return thread;
-  }
-
+  const shapes::Thread thread_ = shapes::coarseThread(16, 192);
   gallery::BulletWorld world_;
   std::optional<gallery::NutOnBolt> nut_on_bolt_;
   int steps_ = 0;

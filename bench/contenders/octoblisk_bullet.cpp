@@ -66,9 +66,6 @@ class OurPile final : public ConcavePileQuery {
 class OurNut final : public NutOnBoltQuery {
  public:
   explicit OurNut(const Scene&) { start(gallery::NutOnBolt::ourShapes()); }
-  ~OurNut() override { stop(); }
-  OurNut(const OurNut&) = delete;
-  OurNut& operator=(const OurNut&) = delete;
 };
 
 /// The shape: also copies the mesh, and computes mass properties and thickness.

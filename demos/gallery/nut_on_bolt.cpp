@@ -12,7 +12,7 @@ class NutOnBoltScene final : public RigidScene {
  public:
   explicit NutOnBoltScene(const BuildOptions& tree)
       : RigidScene(NutOnBolt::kTimeStep, tree),
-        nut_on_bolt_(world_, thread(), 9, NutOnBolt::ourShapes(tree)) {
+        nut_on_bolt_(world_, shapes::coarseThread(16, 192), 9, NutOnBolt::ourShapes(tree)) {
     show(nut_on_bolt_.bolt(), demos::palette::kSteel);
     show(nut_on_bolt_.nut(), demos::palette::kOrange);
     look({Vec3(-0.015, -0.015, -0.0096), Vec3(0.015, 0.015, 0.036)}, {-1.0, 1.6, -0.7});
@@ -33,12 +33,6 @@ class NutOnBoltScene final : public RigidScene {
   }
 
  private:
-  static shapes::Thread thread() {
-    shapes::Thread thread = shapes::coarseThread(16);
-    thread.segments = 192;
-    return thread;
-  }
-
   NutOnBolt nut_on_bolt_;
   double time_ = 0.0;
 };

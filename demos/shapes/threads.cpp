@@ -118,12 +118,13 @@ Rim reversed(Rim rim) {
 
 }  // namespace
 
-Thread coarseThread(int size) {
+Thread coarseThread(int size, int segments) {
   static const std::map<int, double> kPitches = {{4, 0.7e-3},  {5, 0.8e-3},   {6, 1e-3},  {8, 1.25e-3},
                                                  {10, 1.5e-3}, {12, 1.75e-3}, {16, 2e-3}, {20, 2.5e-3}};
   const auto pitch = kPitches.find(size);
   if (pitch == kPitches.end()) throw std::invalid_argument("M" + std::to_string(size) + " is not listed");
-  return {.diameter = 1e-3 * size, .pitch = pitch->second, .play = pitch->second / 50.0};
+  return {
+      .diameter = 1e-3 * size, .pitch = pitch->second, .play = pitch->second / 50.0, .segments = segments};
 }
 
 SharedMesh bolt(const Thread& thread, double length) {

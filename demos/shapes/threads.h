@@ -8,16 +8,16 @@ namespace octoblisk::shapes {
 /// A right-hand thread with the basic profile of ISO 68-1: flanks of 60°, a flat of P/8 at the crest of the
 /// bolt and a flat of P/4 at its root.
 struct Thread {
-  double diameter;    ///< major diameter of the bolt, m
-  double pitch;       ///< P, m
-  double play;        ///< how much larger the nut's radius is everywhere than the bolt's, m
-  int segments = 96;  ///< around the axis; a multiple of 12
-  int parts = 1;      ///< of each flank and each flat, along the axis
+  double diameter;  ///< major diameter of the bolt, m
+  double pitch;     ///< P, m
+  double play;      ///< how much larger the nut's radius is everywhere than the bolt's, m
+  int segments;     ///< around the axis; a multiple of 12
+  int parts = 1;    ///< of each flank and each flat, along the axis
 };
 
 /// A coarse thread of a nominal diameter: M4, M5, M6, M8, M10, M12, M16 or M20 (ISO 261), with a play of
 /// P/50. Throws std::invalid_argument for another size.
-Thread coarseThread(int size);
+Thread coarseThread(int size, int segments = 96);
 
 /// A threaded rod from z = 0 to `length`, on a round head below it. The head is as high as 0.6 diameters and
 /// as wide as 1.6 diameters.

@@ -42,8 +42,7 @@ TEST(NutOnBolt, runsDownTheHelixAsFastAsTheClosedFormSays) {
     double slower;
   };
   for (const auto& [size, segments, slower] : {Case{4, 192, 0.05}, Case{8, 96, 0.12}, Case{20, 192, 0.05}}) {
-    shapes::Thread thread = shapes::coarseThread(size);
-    thread.segments = segments;
+    const shapes::Thread thread = shapes::coarseThread(size, segments);
     RunDown run(thread, 0.0);
     const double way = 0.8 * thread.pitch;
     double time = 0.0;

@@ -110,11 +110,14 @@ void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner) {
   ways_begin_.push_back(static_cast<std::uint32_t>(begin));
   ways_.push_back(0);
   Vec3 normal = Vec3::Zero();  // weighted by angles (Bærentzen and Aanæs 2005)
+  double angles = 0.0;
   for (const std::uint32_t triangle : surface.star(corner)) {
     const auto& corners = surface.corners(triangle);
     const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner) - corners.begin());
     const Triangle positions = tree_->mesh().triangle(triangle);
-    normal += angleAt(positions, v) * unitNormal(positions);
+    const double angle = angleAt(positions, v);
+    normal += angle * unitNormal(positions);
+    angles += angle;
     for (const std::size_t other : {(v + 1) % 3, (v + 2) % 3}) {
       if (corners[other] == corner) continue;
       const std::uint32_t way = packed((positions[other] - positions[v]).normalized());
@@ -122,8 +125,7 @@ void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner) {
         ways_.push_back(way);
     }
   }
-  constexpr double kCancelled = 1e-6;  // rounding; the corner of two opposite sheets has no normal
-  ways_[begin] = packed(normal.norm() > kCancelled ? Vec3(normal.normalized()) : Vec3(Vec3::Zero()));
+  ways_[begin] = packed(angles > 0.0 ? Vec3(normal / angles) : normal);
 }
 
 void MeshFeatures::listEdges(const Surface& surface) {

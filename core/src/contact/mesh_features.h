@@ -83,7 +83,7 @@ class MeshFeatures {
   std::vector<std::uint8_t> corners_at_;               // per place
   std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
   std::vector<std::uint32_t> ways_begin_;              // per corner
-  std::vector<std::uint32_t> ways_;  // packed directions: of the corner's normal, then to its neighbours
+  std::vector<std::uint32_t> ways_;  // packed: the mean normal, then the directions to the neighbours
   std::vector<SharpEdge> edges_;
   std::vector<NodeReach> reaches_;    // per node
   std::vector<LeafFeatures> leaves_;  // per slot

@@ -1,5 +1,6 @@
-// The traversal that most queries share (not rays, SourceContacts, NearFeatures and farthestVertex): down two trees, or
-// down one tree with a box, through boxes that may be near. Included once for each target (simd-inl.h).
+// The traversal that most queries share (not rays, SourceContacts, NearFeatures and farthestVertex): down two
+// trees, or down one tree with a box, through boxes that may be near. Included once for each target
+// (simd-inl.h).
 //
 // Boxes are compared in single precision and grown by the rounding error, so that nothing is missed.
 #if defined(OCTOBLISK_QUERY_TRAVERSAL_INL_H) == defined(HWY_TARGET_TOGGLE)
