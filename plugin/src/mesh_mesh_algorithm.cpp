@@ -30,11 +30,13 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
                                          std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  const bool are_solid = shape_a.isSolid() && shape_b.isSolid();
-  if (!are_solid || !feature_contacts_.find(shape_a.features(), shape_b.features(), b_in_a, reach,
-                                            shapes.breaking, found)) {
+  if (shape_a.isSolid() && shape_b.isSolid()) {
+    const Mat3 turn = Eigen::Quaterniond(b_in_a.rotation).normalized().toRotationMatrix();
+    feature_contacts_.find({shape_a.features(), shape_a.solid()}, {shape_b.features(), shape_b.solid()},
+                           {turn, b_in_a.translation}, reach, shapes.breaking, found);
+  } else {
     surface_contacts_.find(shapes.treeOf(shape_a), shapes.treeOf(shape_b), b_in_a, reach,
-                           kCreated * shapes.breaking, are_solid, found);
+                           kCreated * shapes.breaking, found);
   }
   // The contacts of triangles push vertices that are less deep than `reach`.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);

@@ -88,7 +88,7 @@ TEST(NearPairs, flatFacesStayWithinReach) {
       const double reach = nearPairs(treeOf(*below), treeOf(fine), pose, kThreshold, kSurplus, near);
       EXPECT_GE(reach, gap + kSurplus);
       reduced += reach < kThreshold;
-      surfaces.find(*below, fine, pose, kThreshold, kSurplus, false, found);
+      surfaces.find(*below, fine, pose, kThreshold, kSurplus, found);
       for (const Vec3& corner : Aabb{{-0.5, -0.5, 0.5}, {0.5, 0.5, 0.5}}.corners()) {
         const auto isAtCorner = [&](const Contact& contact) {
           return (contact.point_on_a - corner).norm() < 1e-9;

@@ -163,176 +163,6 @@ TEST(SurfaceContacts, aBarOverAThinPlateIsPushedTheShortWay) {
   expectShortWays(testing::boxMesh({0.01, 0.8, 0.5}), 0.5, testing::boxMesh({1.5, 0.3, 0.2}), 0.02);
 }
 
-std::vector<Contact> contactsOf(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                                bool are_solid = true) {
-  std::vector<Contact> found;
-  SurfaceContacts().find(a, b, b_in_a, 1e-4, 1e-4, are_solid, found);
-  return found;
-}
-
-bool pushAlong(const std::vector<Contact>& contacts, const Vec3& direction, double least_cosine) {
-  return std::ranges::any_of(contacts, [&](const Contact& c) {
-    return c.distance <= 0.0 && c.normal.dot(direction) > least_cosine;
-  });
-}
-
-ClusteredOctree treeOfBlock(const Vec3& half_extents, int steps) {
-  return ClusteredOctree::build(std::make_shared<const TriangleMesh>(testing::block(half_extents, steps)));
-}
-
-/// A cup that sits in an equal cup leaves it if it rises by five times the overlap of the walls.
-TEST(SurfaceContacts, nestedCupsAreNotPushedFartherThanTheyOverlap) {
-  constexpr double kWall = 0.008, kSlope = 0.2, kFacets = 0.0022;  // the rise that turned facets add
-  const ClusteredOctree cup = ClusteredOctree::build(testing::cup(0.03, 0.05, 0.1, kWall, 24));
-  std::mt19937_64 random(108);
-  int overlap = 0;
-  constexpr int kCases = 200;
-  for (int i = 0; i < kCases; ++i) {
-    const double lowered = uniform(random, -0.002, 0.004), aside = uniform(random, 0.0, 0.002);
-    const Pose pose{Eigen::AngleAxisd(uniform(random, 0.0, 6.0), Vec3::UnitZ()).toRotationMatrix(),
-                    Vec3(aside, 0.0, kWall / kSlope - lowered)};
-    const std::vector<Contact> contacts = contactsOf(cup, cup, pose);
-    if (contacts.empty()) continue;
-    const double deepest = testing::deepest(contacts);
-    overlap += deepest < -1e-4;
-    EXPECT_GT(deepest, -(std::max(0.0, lowered + aside / kSlope) + kFacets)) << i;
-  }
-  EXPECT_GT(overlap, kCases / 2);
-}
-
-/// The overlap is several triangles deep, so the triangles at the sides are as deep as those at the top.
-TEST(SurfaceContacts, barsThatCrossAreNotPinched) {
-  const ClusteredOctree bar = treeOfBlock({0.5, 0.08, 0.08}, 12);
-  std::mt19937_64 random(102);
-  int pinched_before = 0;
-  constexpr int kCases = 200;
-  for (int i = 0; i < kCases; ++i) {
-    const Pose pose{
-        Eigen::AngleAxisd(uniform(random, 1.0, 2.1), Vec3::UnitY()).toRotationMatrix() *
-            Eigen::AngleAxisd(uniform(random, -0.1, 0.1), Vec3::UnitX()).toRotationMatrix(),
-        Vec3{uniform(random, -0.2, 0.2), uniform(random, 0.07, 0.14), uniform(random, -0.2, 0.2)}};
-    const std::vector<Contact> contacts = contactsOf(bar, bar, pose);
-    const auto isPinched = [&](const std::vector<Contact>& all) {
-      return std::ranges::any_of(all, [&](const Contact& c) {
-        return c.distance <= 0.0 && std::abs(c.normal.y()) < 0.2 && pushAlong(all, -c.normal, 0.9);
-      });
-    };
-    const bool was_pinched = isPinched(contactsOf(bar, bar, pose, false));
-    pinched_before += was_pinched;
-    ASSERT_FALSE(isPinched(contacts)) << i;
-    ASSERT_TRUE(pushAlong(contacts, -Vec3::UnitY(), 0.7)) << i;
-    if (!was_pinched) continue;
-    double depth = 0.0;
-    for (const Contact& contact : contacts) {
-      if (-contact.normal.y() > 0.9) depth = std::max(depth, -contact.distance);
-    }
-    EXPECT_NEAR(depth, 0.16 - pose.translation.y(), 0.03) << i;  // the bars are tilted
-  }
-  EXPECT_GT(pinched_before, kCases / 3);
-}
-
-/// A bar crosses two others at different heights. The curve as a whole extends farther than the bar is deep.
-TEST(SurfaceContacts, eachCrossingHasItsOwnDepth) {
-  constexpr double kTilt = 0.4, kApart = 0.35, kOverlap = 0.06;
-  const ClusteredOctree bar = treeOfBlock({0.5, 0.08, 0.08}, 12);
-  const Pose tilted{Eigen::AngleAxisd(kTilt, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()};
-  const auto crossing = [&](double x) {
-    return testing::moved(testing::block({0.08, 0.5, 0.08}, 12),
-                          tilted * Pose{Mat3::Identity(), Vec3(x, 0.0, kOverlap - 0.16)});
-  };
-  const ClusteredOctree two = ClusteredOctree::build(testing::joined(*crossing(-kApart), *crossing(kApart)));
-  // Upright would be parallel faces; turn about the bar's axis.
-  const Pose turned{Eigen::AngleAxisd(0.03, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()};
-  const std::vector<Contact> contacts = contactsOf(two, bar, tilted * turned);
-  const Vec3 up = tilted.rotation.col(2);
-  for (const double side : {-1.0, 1.0}) {
-    double depth = 0.0;
-    for (const Contact& contact : contacts) {
-      const bool is_here = side * tilted.rotation.col(0).dot(contact.point_on_a) > 0.0;
-      if (is_here && contact.normal.dot(-up) > 0.9) depth = std::max(depth, -contact.distance);
-    }
-    EXPECT_NEAR(depth, kOverlap, 0.01) << side;
-  }
-}
-
-/// One bar crosses another from above, and a third from the side.
-TEST(SurfaceContacts, eachCrossingHasItsOwnWayOut) {
-  constexpr double kOverlap = 0.06;
-  const auto barAt = [](const Vec3& half, const Vec3& place) {
-    return testing::moved(testing::block(half, 12), {Mat3::Identity(), place});
-  };
-  const Mat3 askew = Eigen::AngleAxisd(0.03, Vec3(1, 0.4, 0.2).normalized()).toRotationMatrix();
-  const ClusteredOctree bar = ClusteredOctree::build(barAt({1.0, 0.08, 0.08}, Vec3::Zero()));
-  const ClusteredOctree two =
-      ClusteredOctree::build(testing::joined(*barAt({0.08, 0.5, 0.08}, {-0.6, 0, 0.16 - kOverlap}),
-                                             *barAt({0.08, 0.08, 0.5}, {0.6, 0.16 - kOverlap, 0})));
-  const std::vector<Contact> contacts = contactsOf(bar, two, {askew, Vec3::Zero()});
-  for (const Contact& contact : contacts) EXPECT_GT(contact.distance, -1.7 * kOverlap);
-  for (const auto& side_and_out : {std::pair(-1.0, Vec3(0, 0, -1)), std::pair(1.0, Vec3(0, -1, 0))}) {
-    const double side = side_and_out.first;
-    const Vec3& out = side_and_out.second;
-    const auto pushesOut = [&](const Contact& contact) {
-      return side * contact.point_on_a.x() > 0.3 && contact.normal.dot(out) > 0.95;
-    };
-    EXPECT_TRUE(std::ranges::any_of(contacts, pushesOut)) << side;
-  }
-}
-
-/// More than halfway in a floor, the upper side of a thin body is as near to the floor's triangles as its
-/// lower side. It must not pull the body down.
-TEST(SurfaceContacts, aFloorDoesNotPullThinBodiesDown) {
-  const auto pulls = [](const Contact& contact) {
-    return contact.distance <= 0.0 && contact.normal.z() > 0.3;
-  };
-  const ClusteredOctree floor =
-      ClusteredOctree::build(shapes::solidBelow(*testing::waveSheet(1.0, 0.0, 16), -1.0));
-  const ClusteredOctree bar = treeOfBlock({0.5, 0.03, 0.02}, 4),
-                        ring = ClusteredOctree::build(testing::torus(0.4, 0.05, 24, 8));
-  std::mt19937_64 random(109);
-  int pulled_before = 0, pushed = 0;
-  constexpr int kCases = 600;
-  for (int i = 0; i < kCases; ++i) {
-    const Pose pose{testing::randomRotation(random), Vec3(0.1, 0.05, uniform(random, -0.2, 0.0))};
-    const ClusteredOctree& body = i % 2 == 0 ? bar : ring;
-    pulled_before += std::ranges::any_of(contactsOf(floor, body, pose, false), pulls);
-    const std::vector<Contact> kept = contactsOf(floor, body, pose);
-    EXPECT_FALSE(std::ranges::any_of(kept, pulls)) << i;
-    pushed += pushAlong(kept, -Vec3::UnitZ(), 0.9);
-  }
-  EXPECT_GT(pulled_before, kCases / 20);
-  EXPECT_GT(pushed, kCases / 3);
-}
-
-/// A body in a corner, and one that touches both walls of a channel, are held by faces that face each other.
-TEST(SurfaceContacts, wallsAreNoPinch) {
-  constexpr double kDepth = 1e-3;
-  const ClusteredOctree room = ClusteredOctree::build(testing::joined(
-      *testing::moved(testing::block({2, 2, 0.5}, 9), {Mat3::Identity(), Vec3(0, 0, -0.5)}),
-      *testing::joined(
-          *testing::moved(testing::block({2, 0.5, 2}, 9), {Mat3::Identity(), Vec3(0, -0.5, 1)}),
-          *testing::moved(testing::block({0.5, 2, 2}, 9), {Mat3::Identity(), Vec3(-0.5, 0, 1)}))));
-  const ClusteredOctree box = treeOfBlock({0.15, 0.15, 0.5}, 4);
-  const std::vector<Contact> in_corner =
-      contactsOf(box, room, {Mat3::Identity(), Vec3(kDepth - 0.15, kDepth - 0.15, kDepth - 0.5)});
-  for (int k = 0; k < 3; ++k) EXPECT_TRUE(pushAlong(in_corner, Vec3::Unit(k), 0.9)) << k;
-
-  const double yaw = 0.02, half_width = 0.5 * std::sin(yaw) + 0.1 * std::cos(yaw) - kDepth;
-  const auto wallAt = [&](double y) {
-    return testing::moved(testing::block({2, 0.5, 2}, 9), {Mat3::Identity(), Vec3(0, y, 1)});
-  };
-  const ClusteredOctree channel = ClusteredOctree::build(
-      testing::joined(*testing::moved(testing::block({2, 2, 0.5}, 9), {Mat3::Identity(), Vec3(0, 0, -0.5)}),
-                      *testing::joined(*wallAt(-0.5 - half_width), *wallAt(0.5 + half_width))));
-  const Pose yawed{Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix(), Vec3(0, 0, 0.1 - kDepth)};
-  const std::vector<Contact> in_channel =
-      contactsOf(treeOfBlock({0.5, 0.1, 0.1}, 4), channel, yawed.inverse());
-  for (const double side : {-1.0, 1.0}) {
-    const Vec3 in_box = side * yawed.rotation.row(1).transpose();
-    EXPECT_TRUE(pushAlong(in_channel, in_box, 0.9)) << side;
-  }
-  EXPECT_TRUE(pushAlong(in_channel, Vec3::UnitZ(), 0.9));
-}
-
 /// A body that rocks on a face of the floor touches it with one corner. Its other corners are also near.
 TEST(SurfaceContacts, cornersOfABodyThatRocksHaveContacts) {
   const auto meshOf = [](std::vector<Vec3> vertices, std::vector<TriangleMesh::Indices> triangles) {
@@ -437,7 +267,7 @@ TEST(SurfaceContacts, aBoxOverNarrowStripsIsPushedUpAlone) {
     const double lowest = testing::lowestZ(box.mesh(), pose);
     pose.translation = Vec3(uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5), gap - lowest);
     const Found found(floor, box, pose, 2.0 * gap);
-    surfaces.find(floor, box, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(floor, box, pose, found.threshold, found.threshold, at_once);
     ASSERT_GT(found.all.size(), found.kept.size());
     for (const auto& contacts : {found.kept, at_once}) {
       ASSERT_FALSE(contacts.empty());
@@ -465,7 +295,7 @@ TEST(SurfaceContacts, aTipTooFineForSinglePrecisionIsFound) {
     const auto tip = std::make_shared<TriangleMesh>(
         std::move(vertices), std::vector<TriangleMesh::Indices>{{1, 2, 0}, {2, 3, 0}, {3, 1, 0}});
     const ClusteredOctree b = ClusteredOctree::build(tip);
-    surfaces.find(a, b, Pose(), 0.2, 0.2, false, found);
+    surfaces.find(a, b, Pose(), 0.2, 0.2, found);
     ASSERT_FALSE(found.empty()) << "case " << i;
     ASSERT_NEAR(testing::deepest(found), 0.1, 1e-14);
   }
@@ -490,7 +320,7 @@ TEST(SurfaceContacts, theDeepestContactOfHardMeshesIsFound) {
     const Vec3 away = testing::randomRotation(random).col(0) * uniform(random, 0.0, 3.0) * size;
     pose.translation = a.mesh().bounds().center() - pose * b.mesh().bounds().center() + away;
     const Found found(a, b, pose, size * std::pow(10.0, uniform(random, -3, 0)));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
     ASSERT_EQ(at_once.empty(), found.kept.empty()) << "case " << i;
     if (at_once.empty()) continue;
     ASSERT_EQ(testing::deepest(at_once), testing::deepest(found.kept)) << "case " << i;
@@ -516,7 +346,7 @@ TEST(SurfaceContacts, contactsFoundAtOnceEqualFilteredOnes) {
     Pose pose = testing::randomPose(random, 0.0);
     pose.translation = testing::randomRotation(random).col(0) * uniform(random, 1.4, 2.8);
     const Found found(a, b, pose, uniform(random, 0.01, 0.2));
-    surfaces.find(a, b, pose, found.threshold, found.threshold, false, at_once);
+    surfaces.find(a, b, pose, found.threshold, found.threshold, at_once);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     if (found.all.empty()) continue;
     ++(testing::deepest(found.all) > 0.0 ? clear : meeting);
@@ -541,7 +371,7 @@ TEST(SurfaceContacts, fineMeshesHaveTheContactsOfASmallerThreshold) {
         Vec3(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, 0.6, 0.8));
     const double threshold = uniform(random, 0.1, 0.2);
     const double reach = nearPairs(treeOf(tree), treeOf(tree), pose, threshold, 0.1 * threshold, near);
-    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, false, at_once);
+    surfaces.find(tree, tree, pose, threshold, 0.1 * threshold, at_once);
     const Found found(tree, tree, pose, reach);
     ASSERT_TRUE(std::ranges::equal(at_once, found.kept, {}, asTuple, asTuple)) << "case " << i;
     ASSERT_FALSE(at_once.empty());

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
-#include "query/winding.h"
 
 namespace octoblisk::detail {
 namespace {
 
 /// Two edges are parallel if the sine of their angle is at most this: corners and faces say more.
 constexpr double kParallel = 0.02;
-
-/// Corners are found up to the reach. Those deeper than this part of it might have neighbours that are not.
-constexpr double kShallow = 0.5;
 
 struct PosedEdge {
   Vec3 from, along;
@@ -49,10 +46,6 @@ bool leadsOut(const std::array<Vec3, 2>& normals, const Vec3& direction) {
   return std::min(direction.dot(normals[0]), direction.dot(normals[1])) >= -kAlike;
 }
 
-bool isInside(const MeshFeatures& solid, const Vec3& point) {
-  return crossingNumber(solid.tree(), point).value_or(0) != 0;
-}
-
 }  // namespace
 
 /// Adds a contact whose A is the corner's mesh.
@@ -62,56 +55,64 @@ void FeatureContacts::addCorner(const CornerAndFace& pair, const Vec3& point, co
 }
 
 /// Adds the contacts of corners with the faces of the other mesh, in its frame.
-void FeatureContacts::addCorners(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
-                                 std::span<const CornerAndFace> pairs) {
-  const TriangleMesh& faces = other.tree().mesh();
+void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
+                                 std::span<const CornerAndFace> pairs,
+                                 std::uint32_t TrianglePair::*own_triangle) {
+  const MeshFeatures& features = own.features;
+  const TriangleMesh& faces = other.features.tree().mesh();
+  const Pose own_in_other = other.in_a.inverse() * own.in_a;
   const Mat3 turn = own_in_other.rotation.transpose();
-  if (heights_.size() < own.cornerCount()) heights_.resize(own.cornerCount());
+  if (nearest_.size() < features.cornerCount()) nearest_.resize(features.cornerCount(), kFar);
   pushes_.clear();
   for (const CornerAndFace& pair : pairs) {
     const Triangle face = faces.triangle(pair.face);
-    const Vec3 normal = unitNormal(face), point = own_in_other * own.position(pair.corner);
+    const Vec3 normal = unitNormal(face), point = own_in_other * features.position(pair.corner);
     if (normal.isZero(0.0)) continue;
     const double height = normal.dot(point - face[0]);
-    Heights& heights = heights_[pair.corner];
-    const bool is_pushed = height <= reach_ && own.isPushedAlong(pair.corner, turn * normal);
-    if (std::abs(height) < std::abs(heights.nearest)) heights = {height, pair.face, is_pushed};
-    if (is_pushed) pushes_.push_back({pair, point, normal, height});
+    double& nearest = nearest_[pair.corner];
+    if (std::abs(height) < std::abs(nearest)) nearest = height;
+    if (height >= -not_felt_ && height <= reach_ && features.isPushedAlong(pair.corner, turn * normal))
+      pushes_.push_back({pair, point, normal, height});
   }
-  for (const CornerAndFace& pair : pairs) {
-    Heights& heights = heights_[pair.corner];
-    if (heights.nearest < -not_felt_ && !heights.is_located)
-      locateCorner(own, other, own_in_other, pair, heights);
+  findInside(own, other, pairs, own_triangle);
+  const auto isDeep = [this](std::uint32_t corner) {
+    return inside_.contains(corner) && !(std::abs(nearest_[corner]) <= not_felt_);
+  };
+  for (const auto& [pair, point, normal, height] : pushes_) {
+    if (!isDeep(pair.corner)) addCorner(pair, point, normal, height);
   }
-  for (const Push& push : pushes_) {
-    const Heights& heights = heights_[push.pair.corner];
-    // Past the middle of a thin part, the nearest face is on the far side, and does not push.
-    const bool is_past_middle = heights.nearest < 0.0 && !heights.is_pushed &&
-                                push.normal.dot(scaledNormal(faces.triangle(heights.face))) < 0.0;
-    if (push.height >= -std::abs(heights.nearest) || is_past_middle)
-      addCorner(push.pair, push.point, push.normal, push.height);
+  for (const std::uint32_t corner : inside_.corners()) {
+    if (isDeep(corner)) addWayOut(features, other.features, own_in_other, corner);
   }
-  for (const CornerAndFace& pair : pairs) heights_[pair.corner] = {};
+  for (const CornerAndFace& pair : pairs) nearest_[pair.corner] = kFar;
 }
 
-/// Finds out whether a corner that is under a face is inside the solid, and which point of its surface is
-/// nearest. At an edge of the surface, that point may be on no face under which the corner is.
-void FeatureContacts::locateCorner(const MeshFeatures& own, const MeshFeatures& other,
-                                   const Pose& own_in_other, const CornerAndFace& pair, Heights& heights) {
-  heights.is_located = true;
-  const Vec3 point = own_in_other * own.position(pair.corner);
-  if (meeting_.empty() || !isInside(other, point)) {
-    heights.nearest = 0.0;  // no face pushes it
-    return;
+/// Finds the corners inside the other solid. No corner is inside if no triangles meet.
+void FeatureContacts::findInside(const PosedSolid& own, const PosedSolid& other,
+                                 std::span<const CornerAndFace> pairs,
+                                 std::uint32_t TrianglePair::*own_triangle) {
+  seeds_.clear();
+  if (!meeting_.empty()) {
+    for (const TrianglePair& pair : meeting_) {
+      for (const std::uint32_t corner : own.features.cornersOf(pair.*own_triangle)) seeds_.push_back(corner);
+    }
+    for (const CornerAndFace& pair : pairs) {
+      if (nearest_[pair.corner] < -not_felt_) seeds_.push_back(pair.corner);
+    }
   }
-  is_deep_ |= heights.nearest < -kShallow * reach_;
-  constexpr double kNearer = 0.99;  // not the same point again
-  const auto out = closestPoint(other.tree(), point, -kNearer * heights.nearest);
-  if (!out) return;
-  const Vec3 normal = (out->point - point).normalized();
-  const bool is_pushed = own.isPushedAlong(pair.corner, own_in_other.rotation.transpose() * normal);
-  heights = {-out->distance, out->triangle, is_pushed, true};
-  if (is_pushed) addCorner({pair.corner, pair.triangle, out->triangle}, point, normal, -out->distance);
+  inside_.find(own.features, own.in_a, other.mesh, other.in_a, seeds_,
+               [this](std::uint32_t corner) { return nearest_[corner] > 0.0 && nearest_[corner] < kFar; });
+}
+
+/// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
+/// the corner.
+void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
+                                std::uint32_t corner) {
+  const Vec3 point = own_in_other * own.position(corner);
+  const ClosestPoint out = *closestPoint(other.tree(), point);
+  const Vec3 normal = (out.point - point).normalized();
+  if (own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal))
+    addCorner({corner, own.triangleAt(corner), out.triangle}, point, normal, -out.distance);
 }
 
 void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
@@ -145,15 +146,11 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
   }
 }
 
-/// Puts first the triangles that meet and are not connected, by others that meet, with a contact that pushes
-/// them apart. Returns their number.
+/// Puts first the triangles that meet where no contact that touches is at a corner of either. Returns their
+/// number.
 std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatures& b) {
   const auto set = [](const MeshFeatures& mesh, std::uint32_t triangle, std::vector<char>& is_felt, char to) {
     for (const std::uint32_t corner : mesh.cornersOf(triangle)) is_felt[corner] = to;
-  };
-  const auto setBoth = [&](std::uint32_t of_a, std::uint32_t of_b, char to) {
-    set(a, of_a, is_felt_a_, to);
-    set(b, of_b, is_felt_b_, to);
   };
   const auto isFelt = [](const MeshFeatures& mesh, std::uint32_t triangle, const std::vector<char>& is_felt) {
     return std::ranges::any_of(mesh.cornersOf(triangle),
@@ -161,32 +158,25 @@ std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatur
   };
   if (is_felt_a_.size() < a.cornerCount()) is_felt_a_.resize(a.cornerCount(), 0);
   if (is_felt_b_.size() < b.cornerCount()) is_felt_b_.resize(b.cornerCount(), 0);
-  for (const Contact& contact : contacts_) {
-    if (contact.distance <= not_felt_) setBoth(contact.triangle_a, contact.triangle_b, 1);
-  }
-  std::size_t left = meeting_.size(), before;
-  do {  // those that are felt go to the end
-    before = left;
-    for (std::size_t i = 0; i < left;) {
-      const TrianglePair pair = meeting_[i];
-      if (isFelt(a, pair.a, is_felt_a_) && isFelt(b, pair.b, is_felt_b_)) {
-        setBoth(pair.a, pair.b, 1);
-        std::swap(meeting_[i], meeting_[--left]);
-      } else {
-        ++i;
-      }
+  const auto setAll = [&](char to) {
+    for (const Contact& contact : contacts_) {
+      if (!(contact.distance <= not_felt_)) continue;
+      set(a, contact.triangle_a, is_felt_a_, to);
+      set(b, contact.triangle_b, is_felt_b_, to);
     }
-  } while (left > 0 && left < before);
-  for (const Contact& contact : contacts_) setBoth(contact.triangle_a, contact.triangle_b, 0);
-  for (const TrianglePair& pair : meeting_) setBoth(pair.a, pair.b, 0);
-  return left;
+  };
+  setAll(1);
+  const auto felt = std::ranges::partition(meeting_, [&](const TrianglePair& pair) {
+    return !isFelt(a, pair.a, is_felt_a_) || !isFelt(b, pair.b, is_felt_b_);
+  });
+  setAll(0);
+  return meeting_.size() - felt.size();
 }
 
-/// Adds a contact for each connected part of the curve in which the first `unfelt` pairs meet. Returns false
-/// if a part does not say the way out.
-bool FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+/// Adds a contact for each connected part of the curve in which the first `unfelt` pairs meet.
+void FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
                                    std::size_t unfelt) {
-  if (unfelt == 0) return true;
+  if (unfelt == 0) return;
   const TriangleMesh &mesh_a = a.tree().mesh(), &mesh_b = b.tree().mesh();
   const auto first_of_b = static_cast<std::uint32_t>(mesh_a.triangleCount());
   groups_.reset(first_of_b + mesh_b.triangleCount());
@@ -203,14 +193,13 @@ bool FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b,
       const auto segment = meetingSegment(mesh_a.triangle(first->a), b_in_a * mesh_b.triangle(first->b));
       if (segment) curve_.push_back(*segment);
     }
-    if (!curve_.empty() && !addCrossing(of_group)) return false;
+    if (!curve_.empty()) addCrossing(of_group);
   }
-  return true;
 }
 
 /// Adds a contact along the way out of the curve, as deep as the curve extends along it, unless that would
-/// not be felt. Returns false if the curve is planar and does not show how deep the overlap is.
-bool FeatureContacts::addCrossing(const TrianglePair& pair) {
+/// not be felt.
+void FeatureContacts::addCrossing(const TrianglePair& pair) {
   Vec3 between = Vec3::Zero();  // the faces
   for (const CurveSegment& segment : curve_) {
     between +=
@@ -219,31 +208,30 @@ bool FeatureContacts::addCrossing(const TrianglePair& pair) {
   const std::optional<Vec3> of_closed = wayOut(curve_);
   const Vec3 out = of_closed.value_or(between.normalized());
   const double extent = extentAlong(out, curve_), between_faces = depthAlong(out, curve_);
-  if (extent <= not_felt_) return !of_closed && between_faces <= not_felt_;
+  if (extent <= not_felt_) return;
   // The curve of surfaces that lie along each other extends much farther than they overlap.
   const double depth = between_faces > 0.0 ? std::min(extent, between_faces) : extent;
   const Vec3 middle = middleOf(curve_), half = 0.5 * depth * out;
   contacts_.push_back({middle - half, middle + half, out, -depth, pair.a, pair.b});
-  return true;
 }
 
-bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
+void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pose& b_in_a, double reach,
                            double spacing, std::vector<Contact>& found) {
+  const MeshFeatures &a = solid_a.features, &b = solid_b.features;
+  const PosedSolid posed_a{a, solid_a.mesh, Pose()}, posed_b{b, solid_b.mesh, b_in_a};
   reach_ = reach;
   not_felt_ = spacing / 40.0;  // contacts are as far apart as the spacing, so this tilts a body by 1/40
-  is_deep_ = false;
   contacts_.clear();
-  found.clear();
   touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
-  addCorners(a, b, b_in_a.inverse(), near_.corners_of_a);
+  addCorners(posed_a, posed_b, near_.corners_of_a, &TrianglePair::a);
   for (Contact& contact : contacts_) {  // from B's frame to A's
     contact.point_on_a = b_in_a * contact.point_on_a;
     contact.point_on_b = b_in_a * contact.point_on_b;
     contact.normal = b_in_a.rotation * contact.normal;
   }
   const std::size_t of_a = contacts_.size();
-  addCorners(b, a, b_in_a, near_.corners_of_b);
+  addCorners(posed_b, posed_a, near_.corners_of_b, &TrianglePair::b);
   for (std::size_t c = of_a; c < contacts_.size(); ++c) {  // these are of B and A
     Contact& contact = contacts_[c];
     std::swap(contact.point_on_a, contact.point_on_b);
@@ -253,10 +241,7 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   addEdges(a, b, b_in_a);
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
-  if (!meeting_.empty()) {
-    if (is_deep_ || least < -kShallow * reach) return false;
-    if (!addCrossings(a, b, b_in_a, countUnfelt(a, b))) return false;
-  }
+  addCrossings(a, b, b_in_a, countUnfelt(a, b));
   if (meeting_.empty() && least > not_felt_) {
     const Clearance nearest =
         distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach, least - not_felt_)});
@@ -267,7 +252,6 @@ bool FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
     }
   }
   found.assign(contacts_.begin(), contacts_.end());
-  return true;
 }
 
 }  // namespace octoblisk::detail

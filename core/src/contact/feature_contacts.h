@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "contact/inside_corners.h"
 #include "contact/mesh_features.h"
 #include "contact/near_features.h"
 #include "geometry/intersection_curve.h"
@@ -18,26 +19,30 @@ namespace octoblisk::detail {
 /// the perpendicular to both edges, and it is in the cones of directions in which both features can be pushed
 /// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). The distance is that along
 /// the normal. A corner outside the other solid has a contact with each face over which it is. A corner
-/// inside has one with the nearest point of the surface.
+/// inside, however deep, has one with the nearest point of the surface.
 class FeatureContacts {
  public:
+  /// A solid and the features of its boundary.
+  struct Solid {
+    const MeshFeatures& features;
+    SolidMesh mesh;
+  };
+
   /// Replaces `found` with the contacts of the solids A and B within `reach`. Distances less than 1/40 of
   /// `spacing` have no effect. If no contact is as near as the nearest points of the surfaces, these are one.
   /// If triangles meet where no contact is near, their curve has a contact along its way out; its points are
-  /// on neither surface. Returns false where features do not say the way out: if a corner or an edge is
-  /// deeper than half the reach, or if such a curve is planar. Allocates nothing once warm.
-  bool find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach, double spacing,
+  /// on neither surface. The pose is orthonormal in double precision.
+  /// Allocates nothing once warm.
+  void find(const Solid& a, const Solid& b, const Pose& b_in_a, double reach, double spacing,
             std::vector<Contact>& found);
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-  /// A corner over or under the faces near it.
-  struct Heights {
-    double nearest = kFar;  ///< the height of the least magnitude
-    std::uint32_t face = kNoTriangle;
-    bool is_pushed = false;   ///< whether that face can push the corner
-    bool is_located = false;  ///< whether the corner is known to be inside or outside
+  struct PosedSolid {
+    const MeshFeatures& features;
+    const SolidMesh& mesh;
+    Pose in_a;
   };
   /// A face that can push a corner.
   struct Push {
@@ -46,22 +51,25 @@ class FeatureContacts {
     double height;
   };
 
-  void addCorners(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
-                  std::span<const CornerAndFace> pairs);
-  void locateCorner(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
-                    const CornerAndFace& pair, Heights& heights);
+  void addCorners(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
+                  std::uint32_t TrianglePair::*own_triangle);
+  void findInside(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
+                  std::uint32_t TrianglePair::*own_triangle);
+  void addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
+                 std::uint32_t corner);
   void addCorner(const CornerAndFace& pair, const Vec3& point, const Vec3& normal, double height);
   void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
   std::size_t countUnfelt(const MeshFeatures& a, const MeshFeatures& b);
-  bool addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
-  bool addCrossing(const TrianglePair& pair);
+  void addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
+  void addCrossing(const TrianglePair& pair);
 
   double reach_ = 0.0, not_felt_ = 0.0;
-  bool is_deep_ = false;               // whether a corner is deeper than half the reach
   std::vector<TrianglePair> meeting_;  // the triangles that meet
   NearFeatures near_;
-  std::vector<Heights> heights_;  // per corner of one mesh
+  std::vector<double> nearest_;  // per corner of one mesh: the least height over or under a face
   std::vector<Push> pushes_;
+  std::vector<std::uint32_t> seeds_;
+  InsideCorners inside_;
   std::vector<char> is_felt_a_,
       is_felt_b_;  // per corner: whether a triangle at it has a contact that touches
   std::vector<Contact> contacts_;

@@ -85,47 +85,52 @@ MeshFeatures::MeshFeatures(const ClusteredOctree& octree) : tree_(&octree) {
 
 void MeshFeatures::listCorners(const Surface& surface) {
   const auto& order = treeOf(*tree_).triangleOrder();
-  std::vector<std::uint32_t> number(surface.cornerCount(), kNoIndex);
+  const auto& triangles = tree_->mesh().triangles();
+  std::vector<std::uint32_t> number(surface.cornerCount(), kNoIndex), listed;  // corners of the surface
   vertex_.reserve(surface.cornerCount());
-  corners_.resize(order.size());
+  listed.reserve(surface.cornerCount());
+  corner_.assign(tree_->mesh().vertices().size(), kNoIndex);
   corners_at_.assign(order.size(), 0);
   for (std::uint32_t place = 0; place < order.size(); ++place) {
     for (std::uint32_t v = 0; v < 3; ++v) {
-      const std::uint32_t corner = surface.corners(order[place])[v];
+      const std::uint32_t corner = surface.corners(order[place])[v], vertex = triangles[order[place]][v];
       if (number[corner] == kNoIndex) {
         number[corner] = static_cast<std::uint32_t>(vertex_.size());
-        vertex_.push_back(tree_->mesh().triangles()[order[place]][v]);
+        vertex_.push_back(vertex);
+        triangle_.push_back(order[place]);
+        listed.push_back(corner);
         corners_at_[place] |= static_cast<std::uint8_t>(1u << v);
-        gatherWays(surface, corner);
       }
-      corners_[order[place]][v] = number[corner];
+      corner_[vertex] = number[corner];
     }
   }
+  for (const std::uint32_t corner : listed) gatherWays(surface, corner);
   ways_begin_.push_back(static_cast<std::uint32_t>(ways_.size()));
   ways_.shrink_to_fit();
+  neighbours_.shrink_to_fit();
 }
 
-void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner) {
-  const std::size_t begin = ways_.size();
+void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner_of_surface) {
+  const auto begin = static_cast<std::ptrdiff_t>(neighbours_.size());
   ways_begin_.push_back(static_cast<std::uint32_t>(begin));
-  ways_.push_back(0);
   Vec3 normal = Vec3::Zero();  // weighted by angles (Bærentzen and Aanæs 2005)
   double angles = 0.0;
-  for (const std::uint32_t triangle : surface.star(corner)) {
+  for (const std::uint32_t triangle : surface.star(corner_of_surface)) {
     const auto& corners = surface.corners(triangle);
-    const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner) - corners.begin());
+    const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner_of_surface) - corners.begin());
     const Triangle positions = tree_->mesh().triangle(triangle);
     const double angle = angleAt(positions, v);
     normal += angle * unitNormal(positions);
     angles += angle;
     for (const std::size_t other : {(v + 1) % 3, (v + 2) % 3}) {
-      if (corners[other] == corner) continue;
-      const std::uint32_t way = packed((positions[other] - positions[v]).normalized());
-      if (std::find(ways_.begin() + static_cast<std::ptrdiff_t>(begin) + 1, ways_.end(), way) == ways_.end())
-        ways_.push_back(way);
+      const std::uint32_t neighbour = cornersOf(triangle)[other];
+      if (corners[other] == corner_of_surface) continue;
+      if (std::find(neighbours_.begin() + begin, neighbours_.end(), neighbour) != neighbours_.end()) continue;
+      neighbours_.push_back(neighbour);
+      ways_.push_back(packed((positions[other] - positions[v]).normalized()));
     }
   }
-  ways_[begin] = packed(angles > 0.0 ? Vec3(normal / angles) : normal);
+  normals_.push_back(packed(angles > 0.0 ? Vec3(normal / angles) : normal));
 }
 
 void MeshFeatures::listEdges(const Surface& surface) {
@@ -166,7 +171,7 @@ void MeshFeatures::describeLeaves(const Surface& surface) {
     for (std::uint32_t place = child.first(); place < child.first() + child.count(); ++place) {
       const std::uint32_t triangle = tree.triangleOrder()[place];
       for (const std::uint32_t v : Lanes(cornersAt(place))) {
-        leaf.corners_begin = std::min(leaf.corners_begin, corners_[triangle][v]);
+        leaf.corners_begin = std::min(leaf.corners_begin, cornersOf(triangle)[v]);
         for (const std::uint32_t around : surface.star(surface.corners(triangle)[v]))
           normals.push_back(unitNormal(tree_->mesh().triangle(around)));
       }
@@ -219,8 +224,8 @@ bool MeshFeatures::isPushedAlong(std::uint32_t corner, const Vec3& direction) co
   const Eigen::Vector3f vector = direction.cast<float>();
   const auto begin = ways_.begin() + ways_begin_[corner], end = ways_.begin() + ways_begin_[corner + 1];
   constexpr float kAlikePacked = 511.0f * static_cast<float>(kAlike);
-  return along(vector, *begin) <= kAlikePacked &&
-         std::all_of(begin + 1, end, [&](std::uint32_t way) { return along(vector, way) >= -kAlikePacked; });
+  return along(vector, normals_[corner]) <= kAlikePacked &&
+         std::all_of(begin, end, [&](std::uint32_t way) { return along(vector, way) >= -kAlikePacked; });
 }
 
 }  // namespace octoblisk::detail

@@ -55,7 +55,16 @@ class MeshFeatures {
 
   std::size_t cornerCount() const { return vertex_.size(); }
   const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
-  const std::array<std::uint32_t, 3>& cornersOf(std::uint32_t triangle) const { return corners_[triangle]; }
+  std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const {
+    const auto& vertices = tree_->mesh().triangles()[triangle];
+    return {corner_[vertices[0]], corner_[vertices[1]], corner_[vertices[2]]};
+  }
+  /// One triangle at a corner.
+  std::uint32_t triangleAt(std::uint32_t corner) const { return triangle_[corner]; }
+  /// The corners to which edges lead.
+  std::span<const std::uint32_t> neighboursOf(std::uint32_t corner) const {
+    return std::span(neighbours_).subspan(ways_begin_[corner], ways_begin_[corner + 1] - ways_begin_[corner]);
+  }
 
   const LeafFeatures& of(Slot leaf) const { return leaves_[leaf.node * kLanes + leaf.lane]; }
   const NodeReach& reachOf(std::uint32_t node) const { return reaches_[node]; }
@@ -74,16 +83,19 @@ class MeshFeatures {
  private:
   void listCorners(const Surface& surface);
   void listEdges(const Surface& surface);
-  void gatherWays(const Surface& surface, std::uint32_t corner);
+  void gatherWays(const Surface& surface, std::uint32_t corner_of_surface);
   void describeLeaves(const Surface& surface);
   void findReaches();
 
   const ClusteredOctree* tree_;
-  std::vector<std::array<std::uint32_t, 3>> corners_;  // per triangle
-  std::vector<std::uint8_t> corners_at_;               // per place
-  std::vector<std::uint32_t> vertex_;                  // per corner: one vertex at its position
-  std::vector<std::uint32_t> ways_begin_;              // per corner
-  std::vector<std::uint32_t> ways_;  // packed: the mean normal, then the directions to the neighbours
+  std::vector<std::uint32_t> corner_;      // per vertex of the mesh
+  std::vector<std::uint8_t> corners_at_;   // per place
+  std::vector<std::uint32_t> vertex_;      // per corner: one vertex at its position
+  std::vector<std::uint32_t> triangle_;    // per corner: the one with which it is listed
+  std::vector<std::uint32_t> ways_begin_;  // per corner
+  std::vector<std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> ways_;     // packed: the directions to the neighbours
+  std::vector<std::uint32_t> normals_;  // packed: the mean normals of the corners
   std::vector<SharpEdge> edges_;
   std::vector<NodeReach> reaches_;    // per node
   std::vector<LeafFeatures> leaves_;  // per slot

@@ -20,20 +20,30 @@ bool SolidMesh::boundsAnywhere() const {
   return false;
 }
 
-bool SolidMesh::contains(const Vec3& point) const {
+bool SolidMesh::contains(const Vec3& point_in_a, const Pose& mesh_in_a) const {
   const Aabb& mesh_bounds = boundary_->mesh().bounds();
+  const Vec3 point = mesh_in_a.inverse() * point_in_a;
   if (is_sheet_ || !mesh_bounds.meets({point, point})) return false;
   // Usually, the shortest way out of the bounds meets the fewest boxes.
   Eigen::Index axis_down, axis_up;
   const double down = (point - mesh_bounds.min).minCoeff(&axis_down),
                up = (mesh_bounds.max - point).minCoeff(&axis_up);
-  const Eigen::Index axis = down < up ? axis_down : axis_up;
-  const double sense = down < up ? -1.0 : 1.0;
+  Vec3 out = Vec3::Zero();
+  if (down < up) {
+    out[axis_down] = -1.0;
+  } else {
+    out[axis_up] = 1.0;
+  }
+  Eigen::Index axis;
+  const Vec3 out_in_a = mesh_in_a.rotation * out;
+  out_in_a.cwiseAbs().maxCoeff(&axis);
+  const double sense = out_in_a[axis] < 0.0 ? -1.0 : 1.0;
   Pose turn{Mat3::Zero(), Vec3::Zero()};  // by right angles, so without rounding; the way out becomes +x
   turn.rotation(0, axis) = turn.rotation(1, (axis + 1) % 3) = sense;
   turn.rotation(2, (axis + 2) % 3) = 1.0;
-  if (!surface_) return crossingNumber(*boundary_, turn * point, turn).value_or(0) != 0;
-  if (locate(*surface_, turn * point, turn) != PointLocation::inside) return false;
+  const Pose turned = turn * mesh_in_a;
+  if (!surface_) return crossingNumber(*boundary_, turn * point_in_a, turned).value_or(0) != 0;
+  if (locate(*surface_, turn * point_in_a, turned) != PointLocation::inside) return false;
   return surface_->isClosed() || boundsSolid(closestPoint(*boundary_, point)->triangle);
 }
 

@@ -72,7 +72,7 @@ void SurfaceContacts::clear() {
 }
 
 void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a,
-                           double threshold, double surplus, bool are_solid, std::vector<Contact>& found) {
+                           double threshold, double surplus, std::vector<Contact>& found) {
   clear();
   of_near_.clear();
   threshold = nearPairs(treeOf(a), treeOf(b), b_in_a, threshold, surplus, near_);
@@ -105,12 +105,7 @@ void SurfaceContacts::find(const ClusteredOctree& a, const ClusteredOctree& b, c
         contactWithin(threshold, near_[n], surfaces_.a.triangle(pair), surfaces_.b.triangle(pair));
     if (contact) contacts_.push_back({*contact, pair});
   }
-  meeting_.clear();
-  for (const PairedContact& contact : contacts_) {
-    if (contact.distance <= 0.0) meeting_.push_back(contact.pair);
-  }
   filter(threshold);
-  if (are_solid) pinches_.open(contacts_, surfaces_, meeting_);
   found.assign(contacts_.begin(), contacts_.end());
 }
 

@@ -7,7 +7,6 @@
 #include "contact/connected_pairs.h"
 #include "contact/inner_contacts.h"
 #include "contact/long_ways.h"
-#include "contact/pinches.h"
 #include "contact/surface_pair.h"
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contact.h"
@@ -31,13 +30,12 @@ namespace octoblisk::detail {
 class SurfaceContacts {
  public:
   /// Replaces `found` with the contacts of the surfaces A and B within `threshold`: what filter makes of
-  /// octoblisk::contacts. If both bodies are solids, removes contacts that hold them in each other as well
-  /// (Pinches). Where very many triangle pairs are within the threshold, uses a smaller one, but at least the
-  /// distance of the nearest pair plus `surplus`. Most contacts that filter would remove are not computed in
-  /// the first place. Where the closest points of two triangles are not unique, or nearly so, find may keep
-  /// other contacts than filter does. Allocates nothing once warm.
+  /// octoblisk::contacts. Where very many triangle pairs are within the threshold, uses a smaller one, but at
+  /// least the distance of the nearest pair plus `surplus`. Most contacts that filter would remove are not
+  /// computed in the first place. Where the closest points of two triangles are not unique, or nearly so,
+  /// find may keep other contacts than filter does. Allocates nothing once warm.
   void find(const ClusteredOctree& a, const ClusteredOctree& b, const Pose& b_in_a, double threshold,
-            double surplus, bool are_solid, std::vector<Contact>& found);
+            double surplus, std::vector<Contact>& found);
 
   /// Treats the contacts of A and B within `threshold`, which are in ascending order of triangles. Contacts
   /// of the last kind above get a normal perpendicular to a face; their distances stay. Contacts of the other
@@ -71,7 +69,6 @@ class SurfaceContacts {
   std::vector<NumberPair> skipped_;  // pairs whose contacts were not computed
   LongWays long_ways_;
   InnerContacts inner_contacts_;
-  Pinches pinches_;
 
   // Of find.
   std::vector<NearPair> near_;
@@ -79,7 +76,6 @@ class SurfaceContacts {
   ConnectedPairs groups_;              // of the near pairs
   std::vector<bool> meets_;            // per group: whether triangles of it meet
   std::vector<std::uint32_t> wanted_;  // near pairs whose contacts are computed
-  std::vector<NumberPair> meeting_;    // pairs that meet
 };
 
 }  // namespace octoblisk::detail
