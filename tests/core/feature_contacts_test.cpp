@@ -408,6 +408,21 @@ TEST(FeatureContacts, wallsAreNoPinch) {
   EXPECT_TRUE(pushAlong(in_channel, Vec3::UnitZ(), 0.9));
 }
 
+/// Faces, edges and corners coincide, so that no corner is inside, and all edges that cross are parallel to
+/// faces.
+TEST(FeatureContacts, ofAlignedBodiesAreFound) {
+  for (const auto& mesh : {boxMesh({1, 1, 1}), testing::torus(1.0, 0.4, 24, 16)}) {
+    const Body body(mesh);
+    for (const double shift : {0.0, 1e-9, 1e-3, 0.01, 0.1, 0.5}) {
+      for (const Vec3& along : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 1, 1)}) {
+        const auto found = contactsOf(body, body, at(shift * along));
+        const auto touches = [](const Contact& c) { return c.distance <= 0.0 && c.normal.norm() > 0.99; };
+        EXPECT_TRUE(std::ranges::any_of(found, touches)) << shift << ' ' << along.transpose();
+      }
+    }
+  }
+}
+
 /// Walks from corner to corner find those that `locate` finds one by one. Half the poses are so deep that
 /// most of them are on no triangle that meets the other surface.
 TEST(InsideCorners, ofRandomBodies_vs_locate) {

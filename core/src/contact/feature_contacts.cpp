@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
@@ -75,15 +76,17 @@ void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
       pushes_.push_back({pair, point, normal, height});
   }
   findInside(own, other, pairs, own_triangle);
-  const auto isDeep = [this](std::uint32_t corner) {
+  const auto isDeep = [&](std::uint32_t corner) {
     return inside_.contains(corner) && !(std::abs(nearest_[corner]) <= not_felt_);
   };
   for (const auto& [pair, point, normal, height] : pushes_) {
     if (!isDeep(pair.corner)) addCorner(pair, point, normal, height);
   }
+  ways_back_.clear();
   for (const std::uint32_t corner : inside_.corners()) {
     if (isDeep(corner)) addWayOut(features, other.features, own_in_other, corner);
   }
+  addWaysBack(features, other.features, own_in_other, own_triangle);
   for (const CornerAndFace& pair : pairs) nearest_[pair.corner] = kFar;
 }
 
@@ -105,14 +108,46 @@ void FeatureContacts::findInside(const PosedSolid& own, const PosedSolid& other,
 }
 
 /// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
-/// the corner.
+/// the corner. If not, it may be past the middle of a thin part.
 void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
                                 std::uint32_t corner) {
   const Vec3 point = own_in_other * own.position(corner);
   const ClosestPoint out = *closestPoint(other.tree(), point);
   const Vec3 normal = (out.point - point).normalized();
-  if (own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal))
+  if (own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
     addCorner({corner, own.triangleAt(corner), out.triangle}, point, normal, -out.distance);
+  } else {
+    ways_back_.push_back({corner, normal, -kFar, {}});
+  }
+}
+
+/// Adds the contacts of corners past the middle of a thin part: each with a face on the near side, through
+/// which a triangle at the corner came in, the one under which the corner is the least deep.
+void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& other,
+                                  const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
+  if (ways_back_.empty()) return;
+  const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
+  std::ranges::sort(ways_back_, {}, &WayBack::corner);
+  for (const TrianglePair& pair : meeting_) {
+    const Triangle face = other.tree().mesh().triangle(pair.*other_triangle);
+    const Vec3 normal = unitNormal(face);
+    for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
+      const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &WayBack::corner);
+      if (way == ways_back_.end() || way->corner != corner) continue;
+      const double height = normal.dot(own_in_other * own.position(corner) - face[0]);
+      if (height < 0.0 && height > way->height && normal.dot(way->to_nearest) < -kAlike &&
+          own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
+        way->height = height;
+        way->pair = pair;
+      }
+    }
+  }
+  for (const auto& [corner, to_nearest, height, pair] : ways_back_) {
+    if (height == -kFar) continue;
+    const Vec3 normal = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
+    addCorner({corner, pair.*own_triangle, pair.*other_triangle}, own_in_other * own.position(corner), normal,
+              height);
+  }
 }
 
 void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
@@ -206,13 +241,35 @@ void FeatureContacts::addCrossing(const TrianglePair& pair) {
         (segment.to - segment.from).norm() * (segment.normal_b.normalized() - segment.normal_a.normalized());
   }
   const std::optional<Vec3> of_closed = wayOut(curve_);
-  const Vec3 out = of_closed.value_or(between.normalized());
+  const Vec3 out = of_closed.value_or(between.normalized()), middle = middleOf(curve_);
   const double extent = extentAlong(out, curve_), between_faces = depthAlong(out, curve_);
-  if (extent <= not_felt_) return;
   // The curve of surfaces that lie along each other extends much farther than they overlap.
   const double depth = between_faces > 0.0 ? std::min(extent, between_faces) : extent;
-  const Vec3 middle = middleOf(curve_), half = 0.5 * depth * out;
+  if (depth <= not_felt_) return;
+  const Vec3 half = 0.5 * depth * out;
   contacts_.push_back({middle - half, middle + half, out, -depth, pair.a, pair.b});
+}
+
+/// If the nearest points of the surfaces are much nearer than all contacts, adds theirs. If triangles meet,
+/// and no other contact says so, its distance is 0.
+void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
+  double least = kFar;
+  for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
+  if (least <= not_felt_) return;
+  if (!meeting_.empty()) {
+    const auto [of_a, of_b] = meeting_.front();
+    const Contact contact =
+        meetingContact(a.tree().mesh().triangle(of_a), b_in_a * b.tree().mesh().triangle(of_b));
+    const Vec3 point = 0.5 * (contact.point_on_a + contact.point_on_b);
+    contacts_.push_back({point, point, contact.normal, 0.0, of_a, of_b});
+    return;
+  }
+  const Clearance nearest =
+      distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach_, least - not_felt_)});
+  if (!nearest.found()) return;
+  contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
+                       (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
+                       nearest.triangle_a, nearest.triangle_b});
 }
 
 void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pose& b_in_a, double reach,
@@ -239,18 +296,8 @@ void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pos
     contact.normal = -contact.normal;
   }
   addEdges(a, b, b_in_a);
-  double least = kFar;
-  for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
   addCrossings(a, b, b_in_a, countUnfelt(a, b));
-  if (meeting_.empty() && least > not_felt_) {
-    const Clearance nearest =
-        distance(a.tree(), b.tree(), b_in_a, {.upper_bound = std::min(reach, least - not_felt_)});
-    if (nearest.found()) {
-      contacts_.push_back({nearest.point_on_a, nearest.point_on_b,
-                           (nearest.point_on_a - nearest.point_on_b).normalized(), nearest.distance,
-                           nearest.triangle_a, nearest.triangle_b});
-    }
-  }
+  addNearest(a, b, b_in_a);
   found.assign(contacts_.begin(), contacts_.end());
 }
 

@@ -51,17 +51,28 @@ class FeatureContacts {
     double height;
   };
 
+  /// A corner inside that the nearest point of the surface cannot push.
+  struct WayBack {
+    std::uint32_t corner;
+    Vec3 to_nearest;    ///< the direction to that point
+    double height;      ///< of the corner over the face of the pair
+    TrianglePair pair;  ///< a triangle at the corner, and a face through which it came in
+  };
+
   void addCorners(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
                   std::uint32_t TrianglePair::*own_triangle);
   void findInside(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
                   std::uint32_t TrianglePair::*own_triangle);
   void addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
                  std::uint32_t corner);
+  void addWaysBack(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
+                   std::uint32_t TrianglePair::*own_triangle);
   void addCorner(const CornerAndFace& pair, const Vec3& point, const Vec3& normal, double height);
   void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
   std::size_t countUnfelt(const MeshFeatures& a, const MeshFeatures& b);
   void addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
   void addCrossing(const TrianglePair& pair);
+  void addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
 
   double reach_ = 0.0, not_felt_ = 0.0;
   std::vector<TrianglePair> meeting_;  // the triangles that meet
@@ -70,6 +81,7 @@ class FeatureContacts {
   std::vector<Push> pushes_;
   std::vector<std::uint32_t> seeds_;
   InsideCorners inside_;
+  std::vector<WayBack> ways_back_;
   std::vector<char> is_felt_a_,
       is_felt_b_;  // per corner: whether a triangle at it has a contact that touches
   std::vector<Contact> contacts_;

@@ -51,21 +51,6 @@ NormalCone coneAround(std::span<const Vec3> normals, double wider) {
 /// angle, in radians, is wide enough for both cones of a pair.
 constexpr double kLean = 0.25;
 
-// A packed direction has three components of ten bits, each 512 more than 511 times that of a unit vector.
-
-std::uint32_t packed(const Vec3& direction) {
-  std::uint32_t bits = 0;
-  for (int k = 0; k < 3; ++k)
-    bits |= static_cast<std::uint32_t>(std::lround(512.0 + 511.0 * direction[k])) << 10 * k;
-  return bits;
-}
-
-/// 511 times the product of a vector and a packed direction, less than 1 off.
-float along(const Eigen::Vector3f& vector, std::uint32_t direction) {
-  const auto component = [&](int k) { return static_cast<float>(direction >> 10 * k & 1023u) - 512.0f; };
-  return vector[0] * component(0) + vector[1] * component(1) + vector[2] * component(2);
-}
-
 /// The angle of a triangle at a corner.
 double angleAt(const Triangle& triangle, std::size_t v) {
   const Vec3 first = triangle[(v + 1) % 3] - triangle[v], second = triangle[(v + 2) % 3] - triangle[v];
@@ -88,6 +73,7 @@ void MeshFeatures::listCorners(const Surface& surface) {
   const auto& triangles = tree_->mesh().triangles();
   std::vector<std::uint32_t> number(surface.cornerCount(), kNoIndex), listed;  // corners of the surface
   vertex_.reserve(surface.cornerCount());
+  triangle_.reserve(surface.cornerCount());
   listed.reserve(surface.cornerCount());
   corner_.assign(tree_->mesh().vertices().size(), kNoIndex);
   corners_at_.assign(order.size(), 0);
@@ -104,15 +90,16 @@ void MeshFeatures::listCorners(const Surface& surface) {
       corner_[vertex] = number[corner];
     }
   }
-  for (const std::uint32_t corner : listed) gatherWays(surface, corner);
-  ways_begin_.push_back(static_cast<std::uint32_t>(ways_.size()));
-  ways_.shrink_to_fit();
+  normals_.reserve(listed.size());
+  neighbours_begin_.reserve(listed.size() + 1);
+  for (const std::uint32_t corner : listed) gatherNeighbours(surface, corner);
+  neighbours_begin_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
   neighbours_.shrink_to_fit();
 }
 
-void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner_of_surface) {
+void MeshFeatures::gatherNeighbours(const Surface& surface, std::uint32_t corner_of_surface) {
   const auto begin = static_cast<std::ptrdiff_t>(neighbours_.size());
-  ways_begin_.push_back(static_cast<std::uint32_t>(begin));
+  neighbours_begin_.push_back(static_cast<std::uint32_t>(begin));
   Vec3 normal = Vec3::Zero();  // weighted by angles (Bærentzen and Aanæs 2005)
   double angles = 0.0;
   for (const std::uint32_t triangle : surface.star(corner_of_surface)) {
@@ -127,10 +114,9 @@ void MeshFeatures::gatherWays(const Surface& surface, std::uint32_t corner_of_su
       if (corners[other] == corner_of_surface) continue;
       if (std::find(neighbours_.begin() + begin, neighbours_.end(), neighbour) != neighbours_.end()) continue;
       neighbours_.push_back(neighbour);
-      ways_.push_back(packed((positions[other] - positions[v]).normalized()));
     }
   }
-  normals_.push_back(packed(angles > 0.0 ? Vec3(normal / angles) : normal));
+  normals_.push_back((angles > 0.0 ? Vec3(normal / angles) : normal).cast<float>());
 }
 
 void MeshFeatures::listEdges(const Surface& surface) {
@@ -221,11 +207,13 @@ std::uint32_t MeshFeatures::triangleOf(const SharpEdge& edge) const {
 }
 
 bool MeshFeatures::isPushedAlong(std::uint32_t corner, const Vec3& direction) const {
-  const Eigen::Vector3f vector = direction.cast<float>();
-  const auto begin = ways_.begin() + ways_begin_[corner], end = ways_.begin() + ways_begin_[corner + 1];
-  constexpr float kAlikePacked = 511.0f * static_cast<float>(kAlike);
-  return along(vector, normals_[corner]) <= kAlikePacked &&
-         std::all_of(begin, end, [&](std::uint32_t way) { return along(vector, way) >= -kAlikePacked; });
+  if (direction.dot(normals_[corner].cast<double>()) > kAlike) return false;
+  const Vec3& from = position(corner);
+  return std::ranges::all_of(neighboursOf(corner), [&](std::uint32_t neighbour) {
+    const Vec3 way = position(neighbour) - from;
+    const double along = direction.dot(way);
+    return along >= 0.0 || along * along <= kAlike * kAlike * way.squaredNorm();
+  });
 }
 
 }  // namespace octoblisk::detail

@@ -63,7 +63,8 @@ class MeshFeatures {
   std::uint32_t triangleAt(std::uint32_t corner) const { return triangle_[corner]; }
   /// The corners to which edges lead.
   std::span<const std::uint32_t> neighboursOf(std::uint32_t corner) const {
-    return std::span(neighbours_).subspan(ways_begin_[corner], ways_begin_[corner + 1] - ways_begin_[corner]);
+    return std::span(neighbours_)
+        .subspan(neighbours_begin_[corner], neighbours_begin_[corner + 1] - neighbours_begin_[corner]);
   }
 
   const LeafFeatures& of(Slot leaf) const { return leaves_[leaf.node * kLanes + leaf.lane]; }
@@ -83,19 +84,18 @@ class MeshFeatures {
  private:
   void listCorners(const Surface& surface);
   void listEdges(const Surface& surface);
-  void gatherWays(const Surface& surface, std::uint32_t corner_of_surface);
+  void gatherNeighbours(const Surface& surface, std::uint32_t corner_of_surface);
   void describeLeaves(const Surface& surface);
   void findReaches();
 
   const ClusteredOctree* tree_;
-  std::vector<std::uint32_t> corner_;      // per vertex of the mesh
-  std::vector<std::uint8_t> corners_at_;   // per place
-  std::vector<std::uint32_t> vertex_;      // per corner: one vertex at its position
-  std::vector<std::uint32_t> triangle_;    // per corner: the one with which it is listed
-  std::vector<std::uint32_t> ways_begin_;  // per corner
+  std::vector<std::uint32_t> corner_;            // per vertex of the mesh
+  std::vector<std::uint8_t> corners_at_;         // per place
+  std::vector<std::uint32_t> vertex_;            // per corner: one vertex at its position
+  std::vector<std::uint32_t> triangle_;          // per corner: the one with which it is listed
+  std::vector<std::uint32_t> neighbours_begin_;  // per corner
   std::vector<std::uint32_t> neighbours_;
-  std::vector<std::uint32_t> ways_;     // packed: the directions to the neighbours
-  std::vector<std::uint32_t> normals_;  // packed: the mean normals of the corners
+  std::vector<Eigen::Vector3f> normals_;  // per corner: the mean normal of its triangles
   std::vector<SharpEdge> edges_;
   std::vector<NodeReach> reaches_;    // per node
   std::vector<LeafFeatures> leaves_;  // per slot
