@@ -232,8 +232,8 @@ void FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b,
   }
 }
 
-/// Adds a contact along the way out of the curve, as deep as the curve extends along it, unless that would
-/// not be felt.
+/// Adds a contact along the way out of the curve, as deep as the curve extends along it. A curve that is not
+/// closed has none if it would not be felt.
 void FeatureContacts::addCrossing(const TrianglePair& pair) {
   Vec3 between = Vec3::Zero();  // the faces
   for (const CurveSegment& segment : curve_) {
@@ -245,7 +245,7 @@ void FeatureContacts::addCrossing(const TrianglePair& pair) {
   const double extent = extentAlong(out, curve_), between_faces = depthAlong(out, curve_);
   // The curve of surfaces that lie along each other extends much farther than they overlap.
   const double depth = between_faces > 0.0 ? std::min(extent, between_faces) : extent;
-  if (depth <= not_felt_) return;
+  if (!of_closed && depth <= not_felt_) return;
   const Vec3 half = 0.5 * depth * out;
   contacts_.push_back({middle - half, middle + half, out, -depth, pair.a, pair.b});
 }
