@@ -19,7 +19,8 @@ namespace octoblisk::detail {
 /// the perpendicular to both edges, and it is in the cones of directions in which both features can be pushed
 /// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). The distance is that along
 /// the normal. A corner outside the other solid has a contact with each face over which it is. A corner
-/// inside, however deep, has one with the nearest point of the surface.
+/// inside, however deep, has one with the nearest point of the surface. If that point is on the far side of a
+/// thin part, the contact is with a face on the near side.
 class FeatureContacts {
  public:
   /// A solid and the features of its boundary.
@@ -31,8 +32,7 @@ class FeatureContacts {
   /// Replaces `found` with the contacts of the solids A and B within `reach`. Distances less than 1/40 of
   /// `spacing` have no effect. If no contact is as near as the nearest points of the surfaces, these are one.
   /// If triangles meet where no contact is near, their curve has a contact along its way out; its points are
-  /// on neither surface. The pose is orthonormal in double precision.
-  /// Allocates nothing once warm.
+  /// on neither surface. The pose is orthonormal in double precision. Allocates nothing once warm.
   void find(const Solid& a, const Solid& b, const Pose& b_in_a, double reach, double spacing,
             std::vector<Contact>& found);
 
