@@ -31,6 +31,7 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
   if (shape_a.isSolid() && shape_b.isSolid()) {
+    // Bullet's pose in single precision is not orthonormal in double precision.
     const Mat3 turn = Eigen::Quaterniond(b_in_a.rotation).normalized().toRotationMatrix();
     feature_contacts_.find({shape_a.features(), shape_a.solid()}, {shape_b.features(), shape_b.solid()},
                            {turn, b_in_a.translation}, reach, shapes.breaking, found);
@@ -38,7 +39,7 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
     surface_contacts_.find(shapes.treeOf(shape_a), shapes.treeOf(shape_b), b_in_a, reach,
                            kCreated * shapes.breaking, found);
   }
-  // The contacts of triangles push vertices that are less deep than `reach`.
+  // Far vertices that are deeper than `reach` get contacts of their own.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }
 

@@ -121,8 +121,8 @@ void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& oth
   }
 }
 
-/// Adds the contacts of corners past the middle of a thin part: each with a face on the near side, through
-/// which a triangle at the corner came in, the one under which the corner is the least deep.
+/// Adds the contacts of corners past the middle of a thin part. Each is with a face on the near side that a
+/// triangle at the corner meets. If there are several, it is the face under which the corner is least deep.
 void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& other,
                                   const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
   if (ways_back_.empty()) return;
@@ -181,8 +181,8 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
   }
 }
 
-/// Puts first the triangles that meet where no contact that touches is at a corner of either. Returns their
-/// number.
+/// Puts first the pairs that meet in which a triangle has no corner with a contact that touches. Returns
+/// their number.
 std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatures& b) {
   const auto set = [](const MeshFeatures& mesh, std::uint32_t triangle, std::vector<char>& is_felt, char to) {
     for (const std::uint32_t corner : mesh.cornersOf(triangle)) is_felt[corner] = to;
