@@ -74,7 +74,6 @@ TEST(IntersectionCurve, extendsAsFarAsBarsThatCrossAreDeep) {
     ASSERT_TRUE(out) << i;
     EXPECT_NEAR(extentAlong(*out, curve), overlap, 1e-9) << i;
     EXPECT_NEAR(depthAlong(*out, curve), overlap, 1e-9) << i;
-    EXPECT_FALSE(overlap > 0.2 && isPlanar(*out, curve)) << i;
     EXPECT_LT((middleOf(curve) - pose * Vec3(0.05, 0.0, 0.2 - 0.5 * overlap)).norm(), 0.06) << i;
   }
 }
@@ -97,7 +96,6 @@ TEST(IntersectionCurve, legsOfATableCrossASlab) {
     ASSERT_TRUE(out) << i;
     EXPECT_LT((*out - pose.rotation * Vec3::UnitZ()).norm(), 1e-9) << i;
     EXPECT_LT(extentAlong(*out, curve), 1e-9) << i;
-    EXPECT_TRUE(isPlanar(*out, curve)) << i;
     EXPECT_GT(depthAlong(*out, curve), 0.0) << i;
   }
 }

@@ -59,7 +59,9 @@ void alignWithFaces(std::vector<PairedContact>& contacts, const SurfacePair& sur
     const double along = is_a_closer ? along_a : along_b;
     if (!(std::abs(along) > kAlong)) continue;
     normal = std::copysign(1.0, along) * (is_a_closer ? of_a : of_b).normalized();
-    placeAround(0.5 * (contact.point_on_a + contact.point_on_b), contact);
+    const Vec3 middle = 0.5 * (contact.point_on_a + contact.point_on_b);
+    contact.point_on_a = middle + 0.5 * contact.distance * contact.normal;
+    contact.point_on_b = middle - 0.5 * contact.distance * contact.normal;
   }
 }
 

@@ -55,10 +55,4 @@ struct SurfacePair {
   }
 };
 
-/// Places the points of a contact at its distance along its normal.
-inline void placeAround(const Vec3& middle, Contact& contact) {
-  contact.point_on_a = middle + 0.5 * contact.distance * contact.normal;
-  contact.point_on_b = middle - 0.5 * contact.distance * contact.normal;
-}
-
 }  // namespace octoblisk::detail

@@ -83,11 +83,6 @@ double extentAlong(const Vec3& way_out, IntersectionCurve curve) {
   return height(high) - height(low);
 }
 
-bool isPlanar(const Vec3& way_out, IntersectionCurve curve) {
-  constexpr double kPlanar = 0.05;  // of the length
-  return extentAlong(way_out, curve) < kPlanar * lengthOf(curve);
-}
-
 double depthAlong(const Vec3& way_out, IntersectionCurve curve) {
   constexpr double kParallel = 1e-3;  // a sine; faces along the way out do not bound the overlap on it
   const Vec3 middle = middleOf(curve);

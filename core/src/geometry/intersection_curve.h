@@ -32,10 +32,6 @@ Vec3 middleOf(IntersectionCurve curve);
 /// How far the curve extends along the way out, a unit vector.
 double extentAlong(const Vec3& way_out, IntersectionCurve curve);
 
-/// Whether the curve is nearly in one plane, as where one of the bodies is flat. The way out is then
-/// perpendicular to this plane.
-bool isPlanar(const Vec3& way_out, IntersectionCurve curve);
-
 /// How deep the bodies overlap on the line through the curve's middle along the way out, a unit vector. Takes
 /// the overlap for the convex body behind all faces that meet in the curve. Infinite if these faces do not
 /// bound it on one side; negative if the line misses it.
