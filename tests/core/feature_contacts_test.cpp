@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "contact/inside_corners.h"
 #include "core/solid.h"
@@ -186,8 +187,39 @@ TEST(FeatureContacts, ofOnePlaceDoNotHideThatAnotherIsDeep) {
   }
 }
 
-bool isVertex(const TriangleMesh& mesh, const Vec3& point) {
-  return std::ranges::any_of(mesh.vertices(), [&](const Vec3& v) { return (v - point).norm() < 1e-12; });
+/// The number of corners of `body` that are `depth` deep under the top of `floor`.
+std::ptrdiff_t cornersUnderTop(const Body& floor, const Body& body, const Pose& body_in_floor, double depth) {
+  return std::ranges::count_if(contactsOf(floor, body, body_in_floor), [&](const Contact& contact) {
+    return std::abs(contact.distance + depth) < 1e-9 && (contact.normal + Vec3::UnitZ()).norm() < 1e-9;
+  });
+}
+
+/// Near the rim, corners are nearer to the sides of the box below, which cannot push them, than to its top.
+TEST(FeatureContacts, ofABoxNearTheRimOfAnotherAreItsFourCorners) {
+  constexpr double kDepth = 1e-3;
+  const Body floor(boxMesh({1, 1, 1}));
+  for (const double inset : {1e-12, 1e-6, 0.9 * kDepth, 0.02}) {
+    const Body box(boxMesh({1.0 - inset, 1.0 - inset, 1}));
+    EXPECT_EQ(cornersUnderTop(floor, box, at({0, 0, 2.0 - kDepth}), kDepth), 4) << inset;
+  }
+}
+
+/// Past the middle of a plate, the nearest face cannot push a peg. A face of another plate is over its end.
+TEST(FeatureContacts, aPegPastTheMiddleOfAPlateIsPushedBack) {
+  constexpr double kHalfThickness = 0.02, kDepth = 0.025;
+  const auto upper = boxMesh({1, 1, kHalfThickness});
+  const auto lower = testing::moved(*upper, at({0, 0, -2.0 * kHalfThickness - 0.002}));
+  const Body peg(boxMesh({0.1, 0.1, 0.5}));
+  const Pose pose = at({0.03, 0.02, kHalfThickness - kDepth + 0.5});
+  EXPECT_EQ(cornersUnderTop(Body(upper), peg, pose, kDepth), 4);
+  EXPECT_EQ(cornersUnderTop(Body(testing::joined(*upper, *lower)), peg, pose, kDepth), 4);
+}
+
+std::optional<std::uint32_t> cornerAt(const Body& body, const Vec3& point) {
+  for (std::uint32_t corner = 0; corner < body.features.cornerCount(); ++corner) {
+    if ((body.features.position(corner) - point).norm() < 1e-12) return corner;
+  }
+  return std::nullopt;
 }
 
 /// Points, normals and distances of contacts, the depth of each corner, and the least distance.
@@ -198,7 +230,7 @@ TEST(FeatureContacts, ofRandomBodies_vs_bruteForce) {
                          Body(testing::bumpySphere(random, 1.0, 0.0, 12))};
   constexpr double kReach = 0.1, kSpacing = 0.1;
   int apart = 0, touching = 0, beyond = 0;
-  std::size_t inside = 0, deep = 0, crossings = 0;
+  std::size_t inside = 0, deep = 0, farther = 0, crossings = 0;
   FeatureContacts contacts;
   std::vector<Contact> found;
   for (int i = 0; i < 400; ++i) {
@@ -224,15 +256,26 @@ TEST(FeatureContacts, ofRandomBodies_vs_bruteForce) {
         continue;
       }
       if (contact.distance >= -kSpacing / 40.0) continue;
-      const bool of_a = isVertex(*a.solid.mesh, contact.point_on_a);
+      const auto corner_of_a = cornerAt(a, contact.point_on_a),
+                 corner_of_b = cornerAt(b, pose.inverse() * contact.point_on_b);
+      const bool of_a = corner_of_a.has_value();
+      if (!of_a && !corner_of_b) continue;  // of edges
       const Vec3 corner = of_a ? pose.inverse() * contact.point_on_a : contact.point_on_b;
-      if (!of_a && !isVertex(*b.solid.mesh, pose.inverse() * contact.point_on_b)) continue;  // of edges
       const Body& other = of_a ? b : a;
       ++inside;
       ASSERT_EQ(locate(other.solid.surface, corner), PointLocation::inside) << i;
       const ClosestPoint out = *closestPoint(other.solid.tree, corner);
       deep += out.distance > kReach;
-      ASSERT_NEAR(-contact.distance, out.distance, 1e-9) << i;
+      const Vec3 to_nearest = (out.point - corner).normalized();
+      const bool is_pushed =
+          of_a ? a.features.isPushedAlong(*corner_of_a, pose.rotation * to_nearest)
+               : b.features.isPushedAlong(*corner_of_b, pose.rotation.transpose() * to_nearest);
+      if (is_pushed) {
+        ASSERT_NEAR(-contact.distance, out.distance, 1e-9) << i;
+      } else {
+        ++farther;
+        ASSERT_GT(-contact.distance, out.distance) << i;
+      }
     }
     if (meet) {
       ++touching;
@@ -250,6 +293,7 @@ TEST(FeatureContacts, ofRandomBodies_vs_bruteForce) {
   EXPECT_GT(beyond, 10);
   EXPECT_GT(inside, 50u);
   EXPECT_GT(deep, 5u);
+  EXPECT_LT(farther, inside / 5);
   EXPECT_LT(crossings, inside);
 }
 
@@ -441,7 +485,7 @@ TEST(InsideCorners, ofRandomBodies_vs_locate) {
       for (const std::uint32_t corner : b.features.cornersOf(pair.b)) seeds.push_back(corner);
     }
     if (seeds.empty()) continue;
-    inside.find(b.features, pose, a.of.mesh, Pose(), seeds, [](std::uint32_t) { return false; });
+    inside.find(b.features, pose, a.of.mesh, Pose(), seeds);
     for (std::uint32_t corner = 0; corner < b.features.cornerCount(); ++corner) {
       const bool is_inside =
           locate(a.solid.surface, pose * b.features.position(corner)) == PointLocation::inside;

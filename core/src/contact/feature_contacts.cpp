@@ -10,6 +10,7 @@
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
+#include "octoblisk/raycast.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -63,21 +64,20 @@ void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
   const TriangleMesh& faces = other.features.tree().mesh();
   const Pose own_in_other = other.in_a.inverse() * own.in_a;
   const Mat3 turn = own_in_other.rotation.transpose();
-  if (nearest_.size() < features.cornerCount()) nearest_.resize(features.cornerCount(), kFar);
+  if (least_height_.size() < features.cornerCount()) least_height_.resize(features.cornerCount(), kFar);
   pushes_.clear();
   for (const CornerAndFace& pair : pairs) {
     const Triangle face = faces.triangle(pair.face);
     const Vec3 normal = unitNormal(face), point = own_in_other * features.position(pair.corner);
-    if (normal.isZero(0.0)) continue;
+    if (normal.isZero(0.0) || !features.isPushedAlong(pair.corner, turn * normal)) continue;
     const double height = normal.dot(point - face[0]);
-    double& nearest = nearest_[pair.corner];
-    if (std::abs(height) < std::abs(nearest)) nearest = height;
-    if (height >= -not_felt_ && height <= reach_ && features.isPushedAlong(pair.corner, turn * normal))
-      pushes_.push_back({pair, point, normal, height});
+    double& least = least_height_[pair.corner];
+    if (std::abs(height) < std::abs(least)) least = height;
+    if (height >= -not_felt_ && height <= reach_) pushes_.push_back({pair, point, normal, height});
   }
   findInside(own, other, pairs, own_triangle);
   const auto isDeep = [&](std::uint32_t corner) {
-    return inside_.contains(corner) && !(std::abs(nearest_[corner]) <= not_felt_);
+    return inside_.contains(corner) && !(std::abs(least_height_[corner]) <= not_felt_);
   };
   for (const auto& [pair, point, normal, height] : pushes_) {
     if (!isDeep(pair.corner)) addCorner(pair, point, normal, height);
@@ -87,7 +87,7 @@ void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
     if (isDeep(corner)) addWayOut(features, other.features, own_in_other, corner);
   }
   addWaysBack(features, other.features, own_in_other, own_triangle);
-  for (const CornerAndFace& pair : pairs) nearest_[pair.corner] = kFar;
+  for (const CornerAndFace& pair : pairs) least_height_[pair.corner] = kFar;
 }
 
 /// Finds the corners inside the other solid. No corner is inside if no triangles meet.
@@ -100,53 +100,53 @@ void FeatureContacts::findInside(const PosedSolid& own, const PosedSolid& other,
       for (const std::uint32_t corner : own.features.cornersOf(pair.*own_triangle)) seeds_.push_back(corner);
     }
     for (const CornerAndFace& pair : pairs) {
-      if (nearest_[pair.corner] < -not_felt_) seeds_.push_back(pair.corner);
+      if (least_height_[pair.corner] < -not_felt_) seeds_.push_back(pair.corner);
     }
   }
-  inside_.find(own.features, own.in_a, other.mesh, other.in_a, seeds_,
-               [this](std::uint32_t corner) { return nearest_[corner] > 0.0 && nearest_[corner] < kFar; });
+  inside_.find(own.features, own.in_a, other.mesh, other.in_a, seeds_);
 }
 
 /// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
-/// the corner. If not, it may be past the middle of a thin part.
+/// the corner. If not, the corner may be past the middle of a thin part, or under a face near its rim.
 void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
                                 std::uint32_t corner) {
   const Vec3 point = own_in_other * own.position(corner);
   const ClosestPoint out = *closestPoint(other.tree(), point);
-  const Vec3 normal = (out.point - point).normalized();
+  const Vec3 normal = out.distance > not_felt_ ? Vec3((out.point - point) / out.distance)
+                                               : unitNormal(other.tree().mesh().triangle(out.triangle));
   if (own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
     addCorner({corner, own.triangleAt(corner), out.triangle}, point, normal, -out.distance);
   } else {
-    ways_back_.push_back({corner, normal, -kFar, {}});
+    ways_back_.push_back({corner, normal});
   }
 }
 
-/// Adds the contacts of corners past the middle of a thin part. Each is with a face on the near side that a
-/// triangle at the corner meets. If there are several, it is the face under which the corner is least deep.
+/// Adds the contacts of corners that the nearest point cannot push. Each comes out along the normal of a face
+/// that a triangle at the corner meets and that does not face the way to the nearest point: others push that
+/// way. If there are several such normals, it is the shortest way.
 void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& other,
                                   const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
   if (ways_back_.empty()) return;
   const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
+  const Mat3 turn = own_in_other.rotation.transpose();
   std::ranges::sort(ways_back_, {}, &WayBack::corner);
   for (const TrianglePair& pair : meeting_) {
-    const Triangle face = other.tree().mesh().triangle(pair.*other_triangle);
-    const Vec3 normal = unitNormal(face);
+    const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
     for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
       const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &WayBack::corner);
-      if (way == ways_back_.end() || way->corner != corner) continue;
-      const double height = normal.dot(own_in_other * own.position(corner) - face[0]);
-      if (height < 0.0 && height > way->height && normal.dot(way->to_nearest) < -kAlike &&
-          own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
-        way->height = height;
-        way->pair = pair;
-      }
+      if (way == ways_back_.end() || way->corner != corner || out.dot(way->to_nearest) > kAlike ||
+          !own.isPushedAlong(corner, turn * out))
+        continue;
+      const auto hit = closestHit(other.tree(), {own_in_other * own.position(corner), out, -way->height});
+      if (!hit || !own.isPushedAlong(corner, turn * hit->normal)) continue;
+      way->face = hit->triangle;
+      way->normal = hit->normal;
+      way->height = -hit->t * out.dot(hit->normal);
     }
   }
-  for (const auto& [corner, to_nearest, height, pair] : ways_back_) {
-    if (height == -kFar) continue;
-    const Vec3 normal = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
-    addCorner({corner, pair.*own_triangle, pair.*other_triangle}, own_in_other * own.position(corner), normal,
-              height);
+  for (const auto& [corner, to_nearest, face, normal, height] : ways_back_) {
+    if (height > -kFar)
+      addCorner({corner, own.triangleAt(corner), face}, own_in_other * own.position(corner), normal, height);
   }
 }
 
@@ -255,7 +255,7 @@ void FeatureContacts::addCrossing(const TrianglePair& pair) {
 void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
-  if (least <= not_felt_) return;
+  if (least <= (meeting_.empty() ? not_felt_ : 0.0)) return;
   if (!meeting_.empty()) {
     const auto [of_a, of_b] = meeting_.front();
     const Contact contact =

@@ -10,6 +10,7 @@
 #include "contact/inside_corners.h"
 #include "contact/mesh_features.h"
 #include "contact/near_features.h"
+#include "contact/solid_mesh.h"
 #include "geometry/intersection_curve.h"
 #include "octoblisk/contact.h"
 
@@ -19,8 +20,8 @@ namespace octoblisk::detail {
 /// the perpendicular to both edges, and it is in the cones of directions in which both features can be pushed
 /// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). The distance is that along
 /// the normal. A corner outside the other solid has a contact with each face over which it is. A corner
-/// inside, however deep, has one with the nearest point of the surface. If that point is on the far side of a
-/// thin part, the contact is with a face on the near side.
+/// inside has one with the nearest point of the surface. If that point cannot push the corner, the contact is
+/// with the face through which the corner came in.
 class FeatureContacts {
  public:
   /// A solid and the features of its boundary.
@@ -51,12 +52,13 @@ class FeatureContacts {
     double height;
   };
 
-  /// A corner inside that the nearest point of the surface cannot push.
+  /// A corner inside that the nearest point of the surface cannot push, and a face that can.
   struct WayBack {
     std::uint32_t corner;
-    Vec3 to_nearest;    ///< the direction to that point
-    double height;      ///< of the corner over the face of the pair
-    TrianglePair pair;  ///< a triangle at the corner, and a face through which it came in
+    Vec3 to_nearest;  ///< the direction to that point
+    std::uint32_t face = kNoTriangle;
+    Vec3 normal = Vec3::Zero();
+    double height = -kFar;
   };
 
   void addCorners(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
@@ -77,7 +79,7 @@ class FeatureContacts {
   double reach_ = 0.0, not_felt_ = 0.0;
   std::vector<TrianglePair> meeting_;  // the triangles that meet
   NearFeatures near_;
-  std::vector<double> nearest_;  // per corner of one mesh: the least height over or under a face
+  std::vector<double> least_height_;  // per corner of one mesh: over or under a face that can push it
   std::vector<Push> pushes_;
   std::vector<std::uint32_t> seeds_;
   InsideCorners inside_;

@@ -3,8 +3,7 @@
 namespace octoblisk::detail {
 
 void InsideCorners::find(const MeshFeatures& own, const Pose& own_in_a, const SolidMesh& other,
-                         const Pose& other_in_a, std::span<const std::uint32_t> seeds,
-                         FunctionRef<bool(std::uint32_t seed)> isSurelyOutside) {
+                         const Pose& other_in_a, std::span<const std::uint32_t> seeds) {
   for (const std::uint32_t corner : located_) side_[corner] = Side::unknown;
   located_.clear();
   corners_.clear();
@@ -16,8 +15,8 @@ void InsideCorners::find(const MeshFeatures& own, const Pose& own_in_a, const So
   };
   for (const std::uint32_t seed : seeds) {
     if (side_[seed] != Side::unknown) continue;
-    const auto isInside = [&] { return other.contains(own_in_a * own.position(seed), other_in_a); };
-    locate(seed, !isSurelyOutside(seed) && isInside() ? Side::inside : Side::outside);
+    const bool is_inside = other.contains(own_in_a * own.position(seed), other_in_a);
+    locate(seed, is_inside ? Side::inside : Side::outside);
   }
   for (std::size_t c = 0; c < corners_.size(); ++c) {
     for (const std::uint32_t neighbour : own.neighboursOf(corners_[c])) {

@@ -7,7 +7,6 @@
 
 #include "contact/mesh_features.h"
 #include "contact/solid_mesh.h"
-#include "octoblisk/function_ref.h"
 
 namespace octoblisk::detail {
 
@@ -19,7 +18,7 @@ class InsideCorners {
   /// connected to them. The seeds include the corners of all triangles that meet the surface, at these poses
   /// to the last bit. Allocates nothing once warm.
   void find(const MeshFeatures& own, const Pose& own_in_a, const SolidMesh& other, const Pose& other_in_a,
-            std::span<const std::uint32_t> seeds, FunctionRef<bool(std::uint32_t seed)> isSurelyOutside);
+            std::span<const std::uint32_t> seeds);
 
   std::span<const std::uint32_t> corners() const { return corners_; }
   bool contains(std::uint32_t corner) const { return corner < side_.size() && side_[corner] == Side::inside; }
