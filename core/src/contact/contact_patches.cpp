@@ -18,6 +18,10 @@ auto byDepth(const Contact& c) {
   return std::tuple(c.distance, c.triangle_a, c.triangle_b, p.x(), p.y(), p.z());
 }
 
+std::uint32_t deepestOf(std::span<const Contact> contacts, std::span<const std::uint32_t> members) {
+  return *std::ranges::min_element(members, {}, [&](std::uint32_t m) { return byDepth(contacts[m]); });
+}
+
 bool isWithin(double distance, const Vec3& a, const Vec3& b) {
   return (a - b).squaredNorm() <= distance * distance;
 }
@@ -33,8 +37,8 @@ bool isAsDeep(const Contact& contact, const Contact& other, double spacing) {
 
 }  // namespace
 
-/// Selects from the members, which are sorted by depth: the deepest, the farthest from it, then those that
-/// make the widest triangle and the widest quadrangle. Empty if there are no members.
+/// Selects from the members: the deepest, the farthest from it, then those that make the widest triangle and
+/// the widest quadrangle. Empty if there are no members.
 ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members members,
                                     double spacing) const {
   ContactPatch patch;
@@ -52,7 +56,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
       double value = score(contact);
       if (!(value > least / kPreference)) continue;
       if (wasKept(contact)) value *= kPreference;
-      if (!(value > least)) continue;
+      if (!(value > least || (best && value == least && byDepth(contact) < byDepth(*best)))) continue;
       const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };
       if (std::ranges::any_of(patch.points(), isNear)) continue;
       least = value;
@@ -62,7 +66,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     return best != nullptr;
   };
 
-  patch.add(contacts[members.front()]);
+  patch.add(contacts[deepestOf(contacts, members)]);
   if (!addBest(0.0, [&](const Contact& c) { return (c.point_on_a - at(0)).squaredNorm(); })) return patch;
   const Vec3 base = at(1) - at(0);
   const double flat = 1e-6 * base.squaredNorm();
@@ -104,7 +108,8 @@ ContactPatch ContactPatches::otherSides(const ContactPatch& patch, std::span<con
     for (const std::uint32_t m : members) {
       const Contact& contact = contacts[m];
       const double cosine = contact.normal.dot(side.normal);
-      if (!(cosine < least) || contact.triangles() == side.triangles()) continue;
+      if (!(cosine < least || (best && cosine == least && byDepth(contact) < byDepth(*best)))) continue;
+      if (contact.triangles() == side.triangles()) continue;
       if (!isAsDeep(contact, side, spacing) || !areNear(contact, side, spacing)) continue;
       const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };
       if (std::ranges::any_of(others.points(), isNear)) continue;
@@ -127,15 +132,13 @@ std::span<const ContactPatch> ContactPatches::reduce(std::span<const Contact> co
     patches_.emplace_back().add(contacts[0]);
     return patches_;
   }
-  order_.resize(contacts.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  std::ranges::sort(order_, {}, [&](std::uint32_t i) { return byDepth(contacts[i]); });
-
-  while (!order_.empty() && patches_.size() < kMaxPatches) {
-    const std::uint32_t deepest = order_.front();
+  left_.resize(contacts.size());
+  std::iota(left_.begin(), left_.end(), 0u);
+  while (!left_.empty() && patches_.size() < kMaxPatches) {
+    const std::uint32_t deepest = deepestOf(contacts, left_);
     members_.clear();
-    members_.reserve(order_.size());
-    std::erase_if(order_, [&](std::uint32_t i) {
+    members_.reserve(left_.size());
+    std::erase_if(left_, [&](std::uint32_t i) {
       const bool belongs = i == deepest || contacts[i].normal.dot(contacts[deepest].normal) >= kSameDirection;
       if (belongs) members_.push_back(i);
       return belongs;

@@ -48,7 +48,7 @@ class ContactPatches {
   static ContactPatch otherSides(const ContactPatch& patch, std::span<const Contact> contacts,
                                  Members members, double spacing);
 
-  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> left_;  // the contacts of no patch yet
   std::vector<std::uint32_t> members_;
   std::vector<ContactPatch> patches_;
   std::vector<ContactPatch> others_;  // the patches that go with patches_

@@ -8,7 +8,6 @@
 
 #include "geometry/triangle_pair.h"
 #include "octoblisk/closest_point.h"
-#include "octoblisk/collide.h"
 #include "octoblisk/distance.h"
 #include "octoblisk/raycast.h"
 
@@ -95,8 +94,8 @@ void FeatureContacts::findInside(const PosedSolid& own, const PosedSolid& other,
                                  std::span<const CornerAndFace> pairs,
                                  std::uint32_t TrianglePair::*own_triangle) {
   seeds_.clear();
-  if (!meeting_.empty()) {
-    for (const TrianglePair& pair : meeting_) {
+  if (!near_.meeting.empty()) {
+    for (const TrianglePair& pair : near_.meeting) {
       for (const std::uint32_t corner : own.features.cornersOf(pair.*own_triangle)) seeds_.push_back(corner);
     }
     for (const CornerAndFace& pair : pairs) {
@@ -130,7 +129,7 @@ void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& o
   const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
   const Mat3 turn = own_in_other.rotation.transpose();
   std::ranges::sort(ways_back_, {}, &WayBack::corner);
-  for (const TrianglePair& pair : meeting_) {
+  for (const TrianglePair& pair : near_.meeting) {
     const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
     for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
       const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &WayBack::corner);
@@ -173,7 +172,7 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
     if (!isBetween(normals_of_b, of_b.along, normal) || !isBetween(normals_of_a, of_a.along, -normal))
       continue;
     const bool may_overlap =
-        !meeting_.empty() && leadsOut(normals_of_b, normal) && leadsOut(normals_of_a, -normal);
+        !near_.meeting.empty() && leadsOut(normals_of_b, normal) && leadsOut(normals_of_a, -normal);
     if (distance < 0.0 && !may_overlap) continue;
     const Vec3 point = of_a.from + s * of_a.along, point_on_b = point - distance * normal;
     contacts_.push_back(
@@ -184,6 +183,7 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
 /// Puts first the pairs that meet in which a triangle has no corner with a contact that touches. Returns
 /// their number.
 std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatures& b) {
+  if (near_.meeting.empty()) return 0;
   const auto set = [](const MeshFeatures& mesh, std::uint32_t triangle, std::vector<char>& is_felt, char to) {
     for (const std::uint32_t corner : mesh.cornersOf(triangle)) is_felt[corner] = to;
   };
@@ -201,11 +201,11 @@ std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatur
     }
   };
   setAll(1);
-  const auto felt = std::ranges::partition(meeting_, [&](const TrianglePair& pair) {
+  const auto felt = std::ranges::partition(near_.meeting, [&](const TrianglePair& pair) {
     return !isFelt(a, pair.a, is_felt_a_) || !isFelt(b, pair.b, is_felt_b_);
   });
   setAll(0);
-  return meeting_.size() - felt.size();
+  return near_.meeting.size() - felt.size();
 }
 
 /// Adds a contact for each connected part of the curve in which the first `unfelt` pairs meet.
@@ -215,7 +215,7 @@ void FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b,
   const TriangleMesh &mesh_a = a.tree().mesh(), &mesh_b = b.tree().mesh();
   const auto first_of_b = static_cast<std::uint32_t>(mesh_a.triangleCount());
   groups_.reset(first_of_b + mesh_b.triangleCount());
-  const std::span pairs = std::span(meeting_).first(unfelt);
+  const std::span pairs = std::span(near_.meeting).first(unfelt);
   for (const TrianglePair& pair : pairs) groups_.join(first_of_b + pair.b, pair.a);
   std::ranges::sort(pairs, {}, [&](const TrianglePair& pair) {
     return std::tuple(groups_.rootOf(pair.a), pair.a, pair.b);
@@ -255,9 +255,9 @@ void FeatureContacts::addCrossing(const TrianglePair& pair) {
 void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
   double least = kFar;
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
-  if (least <= (meeting_.empty() ? not_felt_ : 0.0)) return;
-  if (!meeting_.empty()) {
-    const auto [of_a, of_b] = meeting_.front();
+  if (least <= (near_.meeting.empty() ? not_felt_ : 0.0)) return;
+  if (!near_.meeting.empty()) {
+    const auto [of_a, of_b] = near_.meeting.front();
     const Contact contact =
         meetingContact(a.tree().mesh().triangle(of_a), b_in_a * b.tree().mesh().triangle(of_b));
     const Vec3 point = 0.5 * (contact.point_on_a + contact.point_on_b);
@@ -279,7 +279,6 @@ void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pos
   reach_ = reach;
   not_felt_ = spacing / 40.0;  // contacts are as far apart as the spacing, so this tilts a body by 1/40
   contacts_.clear();
-  touchingPairs(a.tree(), b.tree(), b_in_a, meeting_);
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
   addCorners(posed_a, posed_b, near_.corners_of_a, &TrianglePair::a);
   for (Contact& contact : contacts_) {  // from B's frame to A's

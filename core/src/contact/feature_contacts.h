@@ -77,7 +77,6 @@ class FeatureContacts {
   void addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
 
   double reach_ = 0.0, not_felt_ = 0.0;
-  std::vector<TrianglePair> meeting_;  // the triangles that meet
   NearFeatures near_;
   std::vector<double> least_height_;  // per corner of one mesh: over or under a face that can push it
   std::vector<Push> pushes_;

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "base/no_index.h"
-#include "query/traversal-inl.h"
+#include "geometry/triangle_pair.h"
+#include "query/collide_walk-inl.h"
 #include "simd/triangle8-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,27 +38,24 @@ struct LeafFrame {
     }
   }
 
-  HWY_INLINE Vec8 turned(const Vec8& v) const {
+  HWY_INLINE Vec8 posed(const Vec8& v) const {
     const auto component = [&](int k) HWY_ATTR {
-      return Float8(axes[0][k]) * v.x + Float8(axes[1][k]) * v.y + Float8(axes[2][k]) * v.z;
+      return Float8(axes[0][k]) * v.x + Float8(axes[1][k]) * v.y + Float8(axes[2][k]) * v.z +
+             Float8(center[k]);
     };
     return {component(0), component(1), component(2)};
   }
-  HWY_INLINE Vec8 posed(const Vec8& v) const {
-    return turned(v) + Vec8{Float8(center[0]), Float8(center[1]), Float8(center[2])};
-  }
-
-  /// Planes through points, perpendicular to unit vectors; both in the leaf's frame.
-  HWY_INLINE LeavesNearby::Planes planes(const Vec8& normal, const Vec8& through) const {
-    LeavesNearby::Planes planes;
-    const Vec8 outward = turned(normal);
-    outward.x.store(planes.normal[0]);
-    outward.y.store(planes.normal[1]);
-    outward.z.store(planes.normal[2]);
-    dot(outward, posed(through)).store(planes.height);
-    return planes;
-  }
 };
+
+/// Planes through points, perpendicular to unit vectors.
+HWY_INLINE LeavesNearby::Planes planesThrough(const Vec8& points, const Vec8& normals) {
+  LeavesNearby::Planes planes;
+  normals.x.store(planes.normal[0]);
+  normals.y.store(planes.normal[1]);
+  normals.z.store(planes.normal[2]);
+  dot(normals, points).store(planes.height);
+  return planes;
+}
 
 /// Eight points, one by one.
 struct Points {
@@ -156,9 +154,11 @@ void addLeaf(const Searched& searched, Slot slot) {
   const LeafFrame frame(boxes, slot.lane);
   LeavesNearby::Faces& faces = nearby.faces.emplace_back();
   const Vec8 normal = unit(cross(vertices[1] - vertices[0], vertices[2] - vertices[0]));
-  faces.faces = frame.planes(normal, vertices[0]);
-  for (int v = 0; v < 3; ++v)
-    faces.edges[v] = frame.planes(unit(cross(vertices[(v + 1) % 3] - vertices[v], normal)), vertices[v]);
+  faces.faces = planesThrough(vertices[0], normal);
+  for (int v = 0; v < 3; ++v) {
+    const Vec8 outward = unit(cross(vertices[(v + 1) % 3] - vertices[v], normal));
+    faces.edges[v] = planesThrough(vertices[v], outward);
+  }
 
   for (int i = 0; i < 3; ++i) {
     std::ranges::copy(frame.axes[i], leaf.axes[i]);
@@ -179,17 +179,23 @@ HWY_INLINE std::uint32_t placeOf(const Searched& searched, Slot slot) {
   return place;
 }
 
-/// The corners that are in the box of points over or under a leaf's faces.
-HWY_INLINE unsigned cornersInBox(const LeavesNearby::Corners& corners, const LeavesNearby::Leaf& faces,
-                                 float rounding) {
-  const Vec8 position = Vec8::load(corners.position[0], kLanes);
-  unsigned outside = 0;
-  for (int i = 0; i < 3; ++i) {
-    const Float8 along = dot(Vec8::all(faces.axes[i]), position) - Float8(faces.center[i]);
-    outside |= less(Float8(faces.half_extents[i] + rounding), abs(along));
+/// Eight corners in the frame of the other mesh's leaf.
+struct CornersInLeaf {
+  float position[3][kLanes];
+  unsigned in_box;  ///< those in the box of points over or under the leaf's faces
+
+  HWY_INLINE CornersInLeaf(const LeavesNearby::Corners& corners, const LeavesNearby::Leaf& leaf,
+                           float rounding) {
+    const Vec8 in_tree = Vec8::load(corners.position[0], kLanes);
+    unsigned outside = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Float8 along = dot(Vec8::all(leaf.axes[i]), in_tree) - Float8(leaf.center[i]);
+      outside |= less(Float8(leaf.half_extents[i] + rounding), abs(along));
+      along.store(position[i]);
+    }
+    in_box = kAllLanes & ~outside;
   }
-  return kAllLanes & ~outside;
-}
+};
 
 HWY_INLINE Float8 heightsOver(const LeavesNearby::Planes& planes, const Vec8& point) {
   return dot(Vec8::load(planes.normal[0], kLanes), point) - Float8::load(planes.height);
@@ -207,54 +213,71 @@ HWY_INLINE unsigned facesUnder(const LeavesNearby::Faces& leaf, unsigned lanes, 
   return near & ~less(slack, beside);
 }
 
-/// The faces whose normals are opposite to a direction in the cone.
-HWY_INLINE unsigned facesAgainst(const LeavesNearby::Planes& faces, const NormalCone& cone) {
+/// The faces of a leaf whose normals are opposite to a direction in the cone.
+HWY_INLINE unsigned facesAgainst(const LeavesNearby::Leaf& leaf, const LeavesNearby::Planes& faces,
+                                 const NormalCone& cone) {
+  float axis[3];
+  for (int i = 0; i < 3; ++i)
+    axis[i] =
+        leaf.axes[i][0] * cone.axis[0] + leaf.axes[i][1] * cone.axis[1] + leaf.axes[i][2] * cone.axis[2];
   const Vec8 normal = Vec8::load(faces.normal[0], kLanes);
-  return less(dot(Vec8::all(cone.axis), normal), Float8(-cone.cosine));
+  return less(dot(Vec8::all(axis), normal), Float8(-cone.cosine));
 }
 
-/// The boxes of a node below which features may be in contact with some in the box of another mesh's slot.
-HWY_INLINE unsigned boxesWithin(const Searched& boxes, std::uint32_t node, const Searched& other, Slot slot,
-                                float limit, float rounding) {
+/// Of a node's eight boxes: those below which features may be in contact with some in another box, and those
+/// below which triangles may meet some there.
+struct BoxesNear {
+  unsigned contact, meet;
+};
+
+/// Compares the boxes of a node with the box of another mesh's slot.
+HWY_INLINE BoxesNear boxesNear(const Searched& boxes, std::uint32_t node, const Searched& other, Slot slot,
+                               float limit, float rounding) {
   Box8 room(Box8::Unset{}), room_of_one(Box8::Unset{});
   const BoxF box = posed(other.in_other, boxesAt(treeOf(other.mesh.tree()), slot, room_of_one), slot.lane);
   const FaceGaps gaps = faceGaps(boxesOf(treeOf(boxes.mesh.tree()), node, room), box);
   const NodeReach &reaches = boxes.mesh.reachOf(node), &reach = other.mesh.reachOf(slot.node);
   const Float8 all(limit);
-  unsigned far = 0, beside_box = 0, beside_boxes = 0;
+  unsigned far = 0, apart = 0, beside_box = 0, beside_boxes = 0;
   for (int i = 0; i < 3; ++i) {
-    far |= less(all, max(gaps.along[i], gaps.along[3 + i]));
+    const Float8 gap = max(gaps.along[i], gaps.along[3 + i]);
+    far |= less(all, gap);
+    apart |= less(Float8(rounding), gap);
     beside_box |= less(Float8(limit * leaning(reach.lean[i][slot.lane]) + rounding), gaps.along[i]);
     beside_boxes |= less(all * leaning(Float8::load(reaches.lean[i])) + Float8(rounding), gaps.along[3 + i]);
   }
   const unsigned blunt = reach.sharpness[slot.lane] < other.least_sharpness
                              ? kAllLanes
                              : less(Float8::load(reaches.sharpness), Float8(boxes.least_sharpness));
-  return kAllLanes & ~(far | (beside_box & beside_boxes & blunt));
+  return {kAllLanes & ~(far | (beside_box & beside_boxes & blunt)), kAllLanes & ~apart};
 }
 
-/// Calls visit(slot_of_a, slot_of_b) for the pairs of leaves whose features may be in contact.
+/// Calls visit(slot_of_a, slot_of_b, may_meet) for the pairs of leaves whose features may be in contact;
+/// `may_meet`: their triangles may meet.
 template <typename Visit>
 void walkFeatures(const Searched& a, const Searched& b, float limit, float rounding, Visit&& visit) {
   const Tree &tree_a = treeOf(a.mesh.tree()), &tree_b = treeOf(b.mesh.tree());
   struct Entry {
     Slot a, b;
+    bool may_meet;
   };
   TraversalStack<Entry, 2 * Tree::kMaxDepth> to_do;
-  to_do.push({Tree::kRoot, Tree::kRoot});
+  to_do.push({Tree::kRoot, Tree::kRoot, true});
   while (!to_do.empty()) {
     const Entry pair = to_do.pop();
     const Child child_a = tree_a.child(pair.a), child_b = tree_b.child(pair.b);
     if (child_a.isEmpty() || child_b.isEmpty()) continue;
     if (child_a.isLeaf() && child_b.isLeaf()) {
-      visit(pair.a, pair.b);
+      visit(pair.a, pair.b, pair.may_meet);
     } else if (child_b.isLeaf() || (!child_a.isLeaf() &&
                                     largestHalfExtent(tree_a, pair.a) >= largestHalfExtent(tree_b, pair.b))) {
-      for (const std::uint32_t lane : Lanes(boxesWithin(a, child_a.node(), b, pair.b, limit, rounding)))
-        to_do.push({{child_a.node(), lane}, pair.b});
+      const BoxesNear near = boxesNear(a, child_a.node(), b, pair.b, limit, rounding);
+      for (const std::uint32_t lane : Lanes(near.contact))
+        to_do.push({{child_a.node(), lane}, pair.b, (near.meet >> lane & 1u) != 0});
     } else {
-      for (const std::uint32_t lane : Lanes(boxesWithin(b, child_b.node(), a, pair.a, limit, rounding)))
-        to_do.push({pair.a, {child_b.node(), lane}});
+      const BoxesNear near = boxesNear(b, child_b.node(), a, pair.a, limit, rounding);
+      for (const std::uint32_t lane : Lanes(near.contact))
+        to_do.push({pair.a, {child_b.node(), lane}, (near.meet >> lane & 1u) != 0});
     }
   }
 }
@@ -271,19 +294,25 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
                             const LeavesNearby::Leaf& other, const LeavesNearby::Faces& faces,
                             std::span<const std::uint32_t> triangles,
                             std::vector<CornerAndFace>& found) HWY_ATTR {
-    const unsigned lanes = ((1u << triangles.size()) - 1u) & facesAgainst(faces.faces, leaf.against);
+    const unsigned lanes = ((1u << triangles.size()) - 1u) & facesAgainst(other, faces.faces, leaf.against);
     if (lanes == 0) return;
     for (std::uint32_t c = leaf.corners_begin; c < leaf.corners_end; ++c) {
       const LeavesNearby::Corners& corners = own.corners[c];
-      const auto& [x, y, z] = corners.position;
-      for (const std::uint32_t lane : Lanes(cornersInBox(corners, other, rounding))) {
+      const CornersInLeaf in_leaf(corners, other, rounding);
+      for (const std::uint32_t lane : Lanes(in_leaf.in_box)) {
+        const auto& [x, y, z] = in_leaf.position;
         const Vec8 point{Float8(x[lane]), Float8(y[lane]), Float8(z[lane])};
         for (const std::uint32_t face : Lanes(facesUnder(faces, lanes, point, limit, rounding)))
           found.push_back({corners.corner[lane], corners.triangle[lane], triangles[face]});
       }
     }
   };
-  const auto visit = [&](Slot slot_a, Slot slot_b) HWY_ATTR {
+  const auto addMeeting = [&](const TrianglePair& pair, bool meets) {
+    if (meets || intersects(tree_a.mesh(), tree_b.mesh(), b_in_a, pair)) near.meeting.push_back(pair);
+    return false;
+  };
+  const auto visit = [&](Slot slot_a, Slot slot_b, bool may_meet) HWY_ATTR {
+    if (may_meet) forEachCandidateOfLeaves(tree_a, tree_b, pose, slot_a, slot_b, addMeeting);
     const std::uint32_t place_a = placeOf(searched_a, slot_a), place_b = placeOf(searched_b, slot_b);
     const LeavesNearby::Leaf &leaf_a = of_a.leaves[place_a], &leaf_b = of_b.leaves[place_b];
     addPairs(of_a, leaf_a, leaf_b, of_b.faces[place_b], tree_b.triangles(tree_b.child(slot_b)),
@@ -317,6 +346,7 @@ void NearFeatures::find(const MeshFeatures& a, const MeshFeatures& b, const Pose
   corners_of_a.clear();
   corners_of_b.clear();
   edges.clear();
+  meeting.clear();
   const auto prepare = [](LeavesNearby& nearby, const MeshFeatures& mesh) {
     for (const LeavesNearby::Leaf& leaf : nearby.leaves) nearby.place[leaf.slot] = kNoIndex;
     nearby.leaves.clear();

@@ -1,10 +1,11 @@
-// The pairs of features of two meshes that may be in contact.
+// The pairs of features of two meshes that may be in contact, and the triangles that meet.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "contact/mesh_features.h"
+#include "octoblisk/contact.h"
 #include "simd/box8.h"
 
 namespace octoblisk::detail {
@@ -36,7 +37,7 @@ struct LeavesNearby {
     float normal[3][kLanes];
     float height[kLanes];
   };
-  /// The faces of a leaf in the tree's local frame.
+  /// The faces of a leaf in its frame.
   struct Faces {
     Planes faces;
     Planes edges[3];  ///< through the faces' edges, perpendicular to the faces, facing outward
@@ -59,16 +60,18 @@ struct LeavesNearby {
   std::vector<Edge> edges;
 };
 
-/// Finds the pairs of features of two meshes that may be in contact. Allocates nothing once warm.
+/// Finds the pairs of features of two meshes that may be in contact, and the triangles that meet, in one
+/// traversal. Allocates nothing once warm.
 class NearFeatures {
  public:
   std::vector<CornerAndFace> corners_of_a, corners_of_b;
   std::vector<EdgeAndEdge> edges;
+  std::vector<TrianglePair> meeting;  ///< as touchingPairs finds them, in another order
 
-  /// Finds all pairs of a corner and a face whose height is within `reach`, on either side, and the pairs of
-  /// edges of at least the sharpness `least_sharpness` whose leaves are within `reach`; also a few others. A
-  /// corner is over a face if it is beside it by no more than kAlike times its height, because the faces
-  /// around it may slope.
+  /// Finds all pairs of triangles that meet. Also finds all pairs of a corner and a face whose height is
+  /// within `reach`, on either side, and the pairs of edges of at least the sharpness `least_sharpness` whose
+  /// leaves are within `reach`; also a few others. A corner is over a face if it is beside it by no more than
+  /// kAlike times its height, because the faces around it may slope.
   void find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, double reach,
             float least_sharpness);
 

@@ -16,10 +16,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace octoblisk::detail::HWY_NAMESPACE {
 
-/// Calls visit(pair, nodes, meets) for every pair of triangles below two nodes that the filter does not
-/// separate. `nodes` are the nodes whose leaves contain the pair. `meets`: the filter proves that they meet;
-/// otherwise the exact test must decide. Visits only pairs of leaves for which `wants` is true. Returns true
-/// as soon as a visit does, otherwise false.
+/// Calls visit(pair, meets) for each pair of triangles of two leaves that the filter does not separate.
+/// `meets`: the filter proves that they meet; otherwise the exact test must decide. Returns true as soon as a
+/// visit does, otherwise false.
+template <typename Visit, typename Tally = NoTally>
+HWY_INLINE bool forEachCandidateOfLeaves(const Tree& a, const Tree& b, const LocalPose& pose, Slot slot_a,
+                                         Slot slot_b, Visit&& visit, Tally&& tally = {}) {
+  tally.leafPair();
+  const LeafPair leaves(a, b, pose, slot_a, slot_b);
+  const auto near = leaves.within(2.0f * leaves.coordinateRounding());
+  if (near.of_a == 0) return false;
+  const TriangleLanes triangles_of_b(leaves);
+  for (const std::uint32_t i : Lanes(near.of_a)) {
+    tally.triangleTest();
+    const auto verdicts = triangles_of_b.meet(triangles_of_b.heights(i), near.of[i]);
+    for (const std::uint32_t j : Lanes(verdicts.meet | verdicts.open)) {
+      const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
+      if (visit(pair, (verdicts.meet >> j & 1u) != 0)) return true;
+    }
+  }
+  return false;
+}
+
+/// Calls visit(pair, nodes, meets) like forEachCandidateOfLeaves, for all leaves below two nodes for which
+/// `wants` is true. `nodes` are the nodes whose leaves contain the pair.
 template <typename Wants, typename Visit, typename Tally = NoTally>
 bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Wants&& wants,
                         Visit&& visit, Tally&& tally = {}) {
@@ -32,20 +52,10 @@ bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
       a, b, pose, below, gap, [limit = pose.limit(0.0)] { return limit; },
       [&](Slot slot_a, Slot slot_b) HWY_ATTR {
         if (!wants(slot_a, slot_b)) return false;
-        tally.leafPair();
-        const LeafPair leaves(a, b, pose, slot_a, slot_b);
-        const auto near = leaves.within(2.0f * leaves.coordinateRounding());
-        if (near.of_a == 0) return false;
-        const TriangleLanes triangles_of_b(leaves);
-        for (const std::uint32_t i : Lanes(near.of_a)) {
-          tally.triangleTest();
-          const auto verdicts = triangles_of_b.meet(triangles_of_b.heights(i), near.of[i]);
-          for (const std::uint32_t j : Lanes(verdicts.meet | verdicts.open)) {
-            const TrianglePair pair{leaves.triangleA(i), leaves.triangleB(j)};
-            if (visit(pair, NodePair{slot_a.node, slot_b.node}, (verdicts.meet >> j & 1u) != 0)) return true;
-          }
-        }
-        return false;
+        const auto visitPair = [&](const TrianglePair& pair, bool meets) HWY_ATTR {
+          return visit(pair, NodePair{slot_a.node, slot_b.node}, meets);
+        };
+        return forEachCandidateOfLeaves(a, b, pose, slot_a, slot_b, visitPair, tally);
       });
 }
 
