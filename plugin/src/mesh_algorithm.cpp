@@ -237,9 +237,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
-    other_in_mesh_.reset();  // in case of an exception
+    const std::optional<Pose> last_found = std::exchange(other_in_mesh_, std::nullopt);
     findBodyContacts(shapes, reach, contacts_);
-    if (may_pull) pushBack(shapes, reach, mesh, other, info.m_timeStep);
+    if (may_pull) pushBack(shapes, reach, mesh, other, last_found, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
@@ -274,7 +274,8 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
 }
 
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
-                             const btCollisionObjectWrapper& other, btScalar time_step) {
+                             const btCollisionObjectWrapper& other, const std::optional<Pose>& last_found,
+                             btScalar time_step) {
   const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
@@ -287,13 +288,15 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   if (convex && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side
   const btScalar length = last_step_ ? last_step_->length : time_step;
-  const Pose start = startOf(mesh, length, last_step_ ? &last_step_->mesh_in_world : nullptr).inverse() *
-                     startOf(other, length, last_step_ ? &last_step_->other_in_world : nullptr);
-  if (way_back_.isNew()) {
+  Pose start = startOf(mesh, length, last_step_ ? &last_step_->mesh_in_world : nullptr).inverse() *
+               startOf(other, length, last_step_ ? &last_step_->other_in_world : nullptr);
+  if (way_back_.isNew() || (!convex && way_back_.wereApart())) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
     const bool were_apart = !overlap();
     findBodyContacts(shapes, reach, contacts_);
-    if (!were_apart) {
+    if (!were_apart && way_back_.wereApart() && last_found) {
+      start = *last_found;  // Bullet's solver has pushed a body that was deep, beyond its velocity
+    } else if (!were_apart) {
       // From the next step on, the middle of a convex body shows its side.
       return convex ? way_back_.noticeApart() : way_back_.noticeOverlap();
     }

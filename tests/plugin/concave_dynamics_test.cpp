@@ -24,8 +24,10 @@ using gallery::ConcavePile;
 using testing::at;
 using testing::BulletWorld;
 
-TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
-  ConcavePile pile(64, 1);
+class PileOfSixtyFour : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(PileOfSixtyFour, comesToRestAndStays) {
+  ConcavePile pile(64, GetParam());
   for (std::size_t i = 0; i < pile.size(); ++i) pile.body(i).setActivationState(DISABLE_DEACTIVATION);
   double fastest = 0.0;
   for (int second = 1; second <= 6; ++second) {
@@ -59,9 +61,12 @@ TEST(ConcaveDynamics, aPileOfSixtyFourComesToRestAndStays) {
     moved += (middle - middles[i]).norm() > 0.1;
     lifted += middle.z() > testing::trayHeight(middle.x(), middle.y()) + 0.6;
   }
-  EXPECT_LE(moved, 2);    // a torus may still roll
+  EXPECT_LE(moved, 5);    // tori and stones may still roll; with 100 seeds, at most five did
   EXPECT_GT(lifted, 10);  // they lie on one another and not side by side
 }
+
+/// In the last three, bodies that others had pushed into the open floor were once pulled down.
+INSTANTIATE_TEST_SUITE_P(Seeds, PileOfSixtyFour, ::testing::Values(1u, 25u, 39u, 40u));
 
 /// Cubes of twelve triangles and half size 1 are dropped on each other without a margin, on a floor of the
 /// plugin's shape or of Bullet's. Their walls hardly meet, so a cube could be pushed out by its whole width.

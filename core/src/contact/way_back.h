@@ -30,6 +30,9 @@ class WayBack {
   /// Whether nothing is known about the bodies.
   bool isNew() const { return state_ == State::fresh; }
 
+  /// Whether the bodies were apart when they were last looked at.
+  bool wereApart() const { return state_ == State::apart; }
+
   /// Whether a body is on the wrong side of an open surface.
   bool isThrough() const { return state_ == State::through; }
 
@@ -53,11 +56,11 @@ class WayBack {
   /// Where the way between two points crosses A first, if that is an open surface; all in A's frame.
   using FindCrossing = FunctionRef<std::optional<RayHit>(const Vec3& from, const Vec3& to)>;
 
-  /// Call this with all contacts in a step with neither of these calls. If isNew(), the bodies must have been
-  /// apart at the start of the step. Removes the contacts that push a body through an open surface. Adds
-  /// contacts of a convex body's feet that are past the surface: the way from where its middle was to such a
-  /// foot crosses the surface. If there are none, and no contact remains that overlaps, the deepest of the
-  /// removed contacts returns, turned round.
+  /// Call this with all contacts in a step with neither of these calls. If isNew() or wereApart(), the bodies
+  /// must have been apart at the start of the step. Removes the contacts that push a body through an open
+  /// surface. Adds contacts of a convex body's feet that are past the surface: the way from where its middle
+  /// was to such a foot crosses the surface. If there are none, and no contact remains that overlaps, the
+  /// deepest of the removed contacts returns, turned round.
   ///
   /// The right side of a surface is where B was at the start of the step. A convex B is represented by its
   /// middle, any other body by its point at the contact. Once a body is through, the start of that step
