@@ -7,7 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <tuple>
+
+#include "shapes/rims.h"
 
 namespace octoblisk::shapes {
 namespace {
@@ -25,38 +26,10 @@ double radiusAt(const Thread& thread, double place) {
   return 0.5 * thread.diameter - depth * down;
 }
 
-/// Joins vertices at equal positions, and leaves out triangles without area.
-class Welded {
- public:
-  std::uint32_t vertex(const Vec3& position) {
-    const auto [place, is_new] = number_.try_emplace({position.x(), position.y(), position.z()},
-                                                     static_cast<std::uint32_t>(vertices_.size()));
-    if (is_new) vertices_.push_back(position);
-    return place->second;
-  }
-  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) triangles_.push_back({a, b, c});
-  }
-  void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    triangle(a, b, c);
-    triangle(a, c, d);
-  }
-  SharedMesh mesh() {
-    return std::make_shared<const TriangleMesh>(std::move(vertices_), std::move(triangles_));
-  }
-
- private:
-  std::map<std::tuple<double, double, double>, std::uint32_t> number_;
-  std::vector<Vec3> vertices_;
-  std::vector<TriangleMesh::Indices> triangles_;
-};
-
 Vec3 onCylinder(const Thread& thread, int segment, double radius, double z) {
   const double angle = kTurn * (segment % thread.segments) / thread.segments;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
-
-using Rim = std::vector<std::uint32_t>;
 
 /// Adds the thread's surface between z = 0 and `height`, and returns its lower and upper rim.
 std::pair<Rim, Rim> addThread(Welded& mesh, const Thread& thread, double wider, double height,
@@ -87,33 +60,6 @@ std::pair<Rim, Rim> addThread(Welded& mesh, const Thread& thread, double wider, 
     high.push_back(vertex(segment, rows));
   }
   return {low, high};
-}
-
-/// Adds a ring at constant z between two rims; it faces up.
-void addRing(Welded& mesh, const Rim& inner, const Rim& outer) {
-  for (std::size_t i = 0; i < inner.size(); ++i) {
-    const std::size_t next = (i + 1) % inner.size();
-    mesh.quad(inner[i], outer[i], outer[next], inner[next]);
-  }
-}
-
-/// Adds a disk at constant z within a rim; it faces up.
-void addDisk(Welded& mesh, const Rim& rim, double z) {
-  const std::uint32_t middle = mesh.vertex({0.0, 0.0, z});
-  for (std::size_t i = 0; i < rim.size(); ++i) mesh.triangle(middle, rim[i], rim[(i + 1) % rim.size()]);
-}
-
-/// Adds the wall between two rims; it faces outward.
-void addWall(Welded& mesh, const Rim& low, const Rim& high) {
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    const std::size_t next = (i + 1) % low.size();
-    mesh.quad(low[i], low[next], high[next], high[i]);
-  }
-}
-
-Rim reversed(Rim rim) {
-  std::ranges::reverse(rim);
-  return rim;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -10,8 +11,10 @@
 #include "octoblisk/mass_properties.h"
 #include "octoblisk/surface.h"
 #include "shapes/bodies.h"
+#include "shapes/pegs.h"
 #include "shapes/sheets.h"
 #include "shapes/threads.h"
+#include "shared/message_of.h"
 
 namespace octoblisk {
 namespace {
@@ -89,6 +92,44 @@ TEST(Shapes, threads) {
     }
   }
   EXPECT_THROW(shapes::coarseThread(7), std::invalid_argument);
+}
+
+TEST(Shapes, pegsAndHoles) {
+  for (const int sides : {3, 4, 6, 96}) {
+    const shapes::PegInHole fit{.sides = sides, .radius = 0.01, .clearance = 1e-4, .depth = 0.03};
+    const SharedMesh peg = shapes::peg(fit, 0.04), hole = shapes::hole(fit);
+    const double of_unit_radius = sides * std::tan(std::numbers::pi / sides);  // area
+    EXPECT_NEAR(volumeOfSolid(peg, 2) / (of_unit_radius * 1e-4 * 0.04), 1.0, 1e-12) << sides;
+    const double bore = 0.0101 * 0.0101 * 0.03, block = 0.0201 * 0.0201 * 0.04;
+    EXPECT_NEAR(volumeOfSolid(hole, 2) / (of_unit_radius * (block - bore)), 1.0, 1e-12) << sides;
+
+    const ClusteredOctree peg_tree = ClusteredOctree::build(peg), hole_tree = ClusteredOctree::build(hole);
+    const auto distanceAt = [&](const Vec3& place) {
+      return octoblisk::distance(hole_tree, peg_tree, {Mat3::Identity(), place}).distance;
+    };
+    EXPECT_EQ(distanceAt(Vec3::Zero()), 0.0) << sides;
+    EXPECT_NEAR(distanceAt({0, 0, 5e-5}), 5e-5, 1e-12) << sides;  // over the floor
+    EXPECT_NEAR(distanceAt({0, 0, 5e-3}), 1e-4, 1e-12) << sides;  // between the sides
+    EXPECT_NEAR(distanceAt({6e-5, 0, 5e-3}), 4e-5, 1e-12) << sides;
+  }
+}
+
+TEST(Shapes, pegsThatCannotBeAreRefused) {
+  const shapes::PegInHole good{.sides = 4, .radius = 0.01, .clearance = 0.0, .depth = 0.03};
+  const auto messageOfHole = [&](auto member, auto value) {
+    shapes::PegInHole fit = good;
+    fit.*member = value;
+    EXPECT_THROW(shapes::peg(fit, 0.04), std::invalid_argument);
+    return testing::messageOf([&] { shapes::hole(fit); });
+  };
+  using shapes::PegInHole;
+  EXPECT_NO_THROW(shapes::hole(good));
+  EXPECT_EQ(messageOfHole(&PegInHole::sides, 2), "a peg or hole cannot have the number of sides 2");
+  EXPECT_EQ(messageOfHole(&PegInHole::radius, 0.0), "a peg or hole cannot have the radius 0");
+  EXPECT_EQ(messageOfHole(&PegInHole::clearance, -0.5), "a peg or hole cannot have the clearance -0.5");
+  EXPECT_EQ(messageOfHole(&PegInHole::depth, std::numeric_limits<double>::quiet_NaN()),
+            "a peg or hole cannot have the depth nan");
+  EXPECT_THROW(shapes::peg(good, 0.0), std::invalid_argument);
 }
 
 TEST(Shapes, jack) {
