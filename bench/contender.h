@@ -109,7 +109,7 @@ class PileQuery {
   virtual double depth() const = 0;  ///< greatest penetration depth of a body in another or in the floor, m
 };
 
-/// A Bullet world in which a nut runs down a bolt, without friction.
+/// A world of Bullet or ODE in which a nut runs down a bolt, without friction.
 class AssemblyQuery {
  public:
   virtual ~AssemblyQuery() = default;
@@ -118,6 +118,7 @@ class AssemblyQuery {
   virtual void step() = 0;
   virtual double sunk() const = 0;          ///< how far the nut has run down, mm
   virtual double expectedSunk() const = 0;  ///< by the closed form, mm
+  virtual double turns() const = 0;         ///< of the nut in the sense in which it runs down
   virtual double offHelix() const = 0;      ///< greatest distance from the helix since the start, mm
   virtual double play() const = 0;          ///< along the axis, mm
 };

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gallery/nut_run.h"
 #include "models/belt_grinder.h"
 #include "models/blade_finder.h"
 #include "models/blisk.h"
@@ -196,7 +197,26 @@ Scene torusScene(const std::string& name, std::size_t triangles, const SceneSize
   return scene;
 }
 
+Scene nutScene(const std::string& name, const SceneSize& size) {
+  constexpr int kSteps = 144;
+  constexpr double kMillimetres = 1e3, kPressedIn = 2e-3;  // in a metre; mm
+  const gallery::NutRun run(kNutThread, kNutPitches);
+  Scene scene;
+  scene.name = name;
+  scene.blisk = roundedToFloat(*shapes::scaled(*run.boltMesh(), kMillimetres));
+  scene.belt = roundedToFloat(*shapes::scaled(*run.nutMesh(), kMillimetres));
+  for (int step = 1; step <= kSteps; ++step) {
+    Pose nut_in_bolt = run.poseAt(step * gallery::NutRun::kTimeStep);
+    nut_in_bolt.translation *= kMillimetres;
+    nut_in_bolt.translation.z() -= 0.5 * kMillimetres * axialPlay(kNutThread) + kPressedIn;
+    scene.path.push_back(nut_in_bolt);
+  }
+  scene.path = stretchesOf(scene.path, size.poses);
+  return scene;
+}
+
 Scene makeScene(const std::string& name, const SceneSize& size) {
+  if (name == "nut-on-bolt") return nutScene(name, size);
   constexpr std::size_t kSegments = 100'000, kQuickSegments = 10'000;
   const Sizes sizes = sizesOf(name);
   if (sizes.torus > 0) return torusScene(name, sizes.torus, size);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
+#include "shapes/threads.h"
 
 namespace octoblisk::bench {
 
@@ -26,6 +27,10 @@ struct RoundedCore {
   double margin = 0.0;
 };
 RoundedCore roundedCore(Primitive primitive);
+
+/// The nut that runs down a bolt, in the scene and in the worlds.
+inline const shapes::Thread kNutThread = shapes::coarseThread(16, 192);
+inline constexpr int kNutPitches = 4;  ///< over the head of the bolt at the start
 
 /// Lengths are in mm, or in any unit for small meshes. All coordinates of meshes and segments are
 /// representable in single precision, so contenders of both precisions get the same input.
@@ -56,9 +61,12 @@ struct SceneSize {
 ///   500-triangles a torus of 500 triangles and radii 1 and 0.35 in place of the blisk. No belt. The path is
 ///                 2,000 random poses of a primitive. The origin of the primitive is outside the torus, 0.05
 ///                 to 0.19 from the surface
-/// The path is the same for all blisks. It runs there and back over both sides of a blade in steps of about 1
-/// mm, with approach and retraction. The belt is pressed in and lifted off by seeded, smooth amounts. Throws
-/// std::invalid_argument for any other name.
+///   nut-on-bolt   a bolt in place of the blisk, a nut in place of the belt. The path is where the nut is
+///                 after each of 144 steps of 1/240 s by the closed form, but lowered onto the flanks of the
+///                 bolt, and 2 µm into them
+/// The path of the belt is the same for all blisks. It runs there and back over both sides of a blade in
+/// steps of about 1 mm, with approach and retraction. The belt is pressed in and lifted off by seeded, smooth
+/// amounts. Throws std::invalid_argument for any other name.
 const Scene& sceneNamed(const std::string& name, const SceneSize& size = {});
 
 /// The blisk after a smooth deformation that moves vertices by up to 0.5 mm, for refits.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "shapes/box.h"
 #include "shapes/grid_mesh.h"
@@ -10,6 +11,18 @@
 namespace octoblisk::shapes {
 
 using Eigen::Vector2d;
+
+SharedMesh scaled(const TriangleMesh& mesh, double factor) {
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& vertex : vertices) vertex *= factor;
+  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
+}
+
+SharedMesh moved(const TriangleMesh& mesh, const Vec3& by) {
+  std::vector<Vec3> vertices = mesh.vertices();
+  for (Vec3& vertex : vertices) vertex += by;
+  return std::make_shared<const TriangleMesh>(std::move(vertices), mesh.triangles());
+}
 
 SharedMesh torus(double major_radius, double minor_radius, int major_segments, int minor_segments) {
   return gridMesh(major_segments, minor_segments, true, true, [&](int i, int j) -> Vec3 {

@@ -11,6 +11,10 @@ namespace octoblisk::shapes {
 
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
+/// The mesh `factor` times as large, about the origin.
+SharedMesh scaled(const TriangleMesh& mesh, double factor);
+SharedMesh moved(const TriangleMesh& mesh, const Vec3& by);
+
 /// A torus around the z axis.
 SharedMesh torus(double major_radius, double minor_radius, int major_segments, int minor_segments);
 

@@ -73,6 +73,8 @@ Thread coarseThread(int size, int segments) {
       .diameter = 1e-3 * size, .pitch = pitch->second, .play = pitch->second / 50.0, .segments = segments};
 }
 
+double axialPlay(const Thread& thread) { return 2.0 * thread.play / std::numbers::sqrt3; }
+
 SharedMesh bolt(const Thread& thread, double length) {
   Welded mesh;
   const double head_height = 0.6 * thread.diameter, head_radius = 0.8 * thread.diameter;

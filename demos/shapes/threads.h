@@ -19,6 +19,9 @@ struct Thread {
 /// P/50. Throws std::invalid_argument for another size.
 Thread coarseThread(int size, int segments = 96);
 
+/// How far a nut can move along the axis without turning, m.
+double axialPlay(const Thread& thread);
+
 /// A threaded rod from z = 0 to `length`, on a round head below it. The head is as high as 0.6 diameters and
 /// as wide as 1.6 diameters.
 SharedMesh bolt(const Thread& thread, double length);

@@ -90,6 +90,8 @@ TEST(Shapes, threads) {
       const bool are_aligned = segments == std::round(segments);
       EXPECT_NEAR(distance, turn > 0.0 ? gap : 0.0, are_aligned ? 0.06 * gap : chord) << size << ' ' << turn;
     }
+    const Pose nearer{Mat3::Identity(), Vec3(0, 0, thread.pitch + 0.25 * shapes::axialPlay(thread))};
+    EXPECT_NEAR(octoblisk::distance(bolt_tree, nut_tree, nearer).distance, 0.5 * gap, 0.06 * gap) << size;
   }
   EXPECT_THROW(shapes::coarseThread(7), std::invalid_argument);
 }
@@ -168,6 +170,12 @@ TEST(Shapes, cylinder) {
 TEST(Shapes, whatIsBelowASheet) {
   EXPECT_NEAR(volumeOfSolid(shapes::solidBelow(*shapes::waveSheet(2.0, 0.0, 6), -0.5), 2), 8.0, 1e-12);
   EXPECT_GT(volumeOfSolid(shapes::solidBelow(*shapes::tray(5.0, 20), -1.0), 2), 100.0);
+}
+
+TEST(Shapes, scaledAndMoved) {
+  const SharedMesh box = shapes::boxMesh({0.1, 0.2, 0.3}), large = shapes::scaled(*box, 10.0);
+  EXPECT_NEAR(volumeOfSolid(large, 2), 8.0 * 6.0, 1e-12);
+  EXPECT_EQ(shapes::moved(*large, {1, 2, 3})->bounds().center(), Vec3(1, 2, 3));
 }
 
 TEST(Shapes, bandsTorusAndBumpySphere) {
