@@ -55,7 +55,8 @@ std::string cellOf(const Row& row) {
   if (!ratio.empty() && row.value("contender", "") != kOurs) text += std::string(" · ") + ratio;
   for (const auto& [key, what] :
        {std::pair("points_a_pose", "points per pose"), std::pair("contacts_a_step", "contacts per step"),
-        std::pair("inside", "in the blisk at the end")}) {
+        std::pair("inside", "in the blisk at the end"), std::pair("off_helix_mm", "mm off the helix"),
+        std::pair("turns", "turns")}) {
     if (row.contains(key)) text += std::string(", ") + significant(number(row, key)) + ' ' + what;
   }
   return text + differencesText(row);
@@ -88,7 +89,8 @@ constexpr Section kSections[] = {
     {"world-sweep", "Bullet world: convexSweepTest of a ball of 3 mm"},
     {"world-step", "Bullet world: a step in which hulls fall onto the blisk"},
     {"world-pile", "Bullet world: a step of 64 concave bodies on each other"},
-    {"world-assembly", "Bullet world: a step of a nut that runs down a bolt"},
+    {"world-assembly", "World of Bullet or ODE: a step of a nut that runs down a bolt"},
+    {"assembly-contacts", "All triangle pairs of the nut and the bolt that touch"},
     {"broadphase-world", "Bullet world: a step of the grinding world, by broadphase"},
 };
 

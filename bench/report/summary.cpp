@@ -40,7 +40,8 @@ constexpr Line kLines[] = {
     {"the same on 1,500,000 triangles", "world-step", "1500k"},
     {"the same with 1,000 hulls on 50,000 triangles", "world-step", "1000-bodies"},
     {"Bullet world: a step with 64 concave bodies", "world-pile", "64-bodies"},
-    {"Bullet world: a step of a nut on a bolt", "world-assembly", "1-bodies"},
+    {"world: a step of a nut on a bolt", "world-assembly", "nut-on-bolt"},
+    {"all triangle pairs of the nut and the bolt that touch", "assembly-contacts", "nut-on-bolt"},
 };
 
 constexpr const char* kOnOneThread = "OctoBlisk on one thread";

@@ -1,10 +1,15 @@
-// Surfaces that lie along each other: a step of a Bullet world in which an M16 nut runs down a bolt.
+// Surfaces that lie along each other: an M16 nut runs down a bolt. A step of a world of Bullet or ODE, and
+// the triangle pairs that touch on the way.
+
 #include <memory>
 
+#include "contacts.h"
 #include "timed_task.h"
 
 namespace octoblisk::bench {
 namespace {
+
+constexpr const char* kScene = "nut-on-bolt";
 
 Trial prepare(const Scene& scene, const Contender& contender) {
   const std::shared_ptr<AssemblyQuery> query = contender.assembly(scene);
@@ -21,8 +26,28 @@ Trial prepare(const Scene& scene, const Contender& contender) {
               },
           .differences = is_right ? 0u : 1u,
           .counters = {{"off_helix_mm", query->offHelix()},
+                       {"turns", query->turns()},
                        {"sunk_mm", query->sunk()},
                        {"expected_sunk_mm", query->expectedSunk()}}};
+}
+
+TimedTask stepTask() {
+  return {.name = "world-assembly",
+          .can_do = [](const Contender& contender) { return static_cast<bool>(contender.assembly); },
+          .prepare = prepare,
+          .scenes = {kScene},
+          .quick_scenes = {kScene},
+          .visits = 3};
+}
+
+/// The geometry alone.
+TimedTask pairsTask() {
+  TimedTask task = contactsTask("assembly-contacts");
+  task.scenes = task.quick_scenes = {kScene};
+  task.takes_part = [](const Contender& contender, const std::string&) {
+    return contender.name != "bullet-bvh";  // makes hulls of the belt's stations
+  };
+  return task;
 }
 
 }  // namespace
@@ -30,12 +55,5 @@ Trial prepare(const Scene& scene, const Contender& contender) {
 
 int main(int argc, char** argv) {
   using namespace octoblisk::bench;
-  const auto can_do = [](const Contender& contender) { return static_cast<bool>(contender.assembly); };
-  return runTimedTasks(argc, argv,
-                       {{.name = "world-assembly",
-                         .can_do = can_do,
-                         .prepare = prepare,
-                         .scenes = {"1-bodies"},
-                         .quick_scenes = {"1-bodies"},
-                         .visits = 3}});
+  return runTimedTasks(argc, argv, {stepTask(), pairsTask()});
 }
