@@ -35,6 +35,8 @@ const std::vector<DynamicsEntry>& dynamicsEntries() {
        {60, 900},
        {8, 60},
        makeChannel},
+      {"nuts", "two nuts that run down bolts", {octoblisk, gimpact}, {2, 400}, {1, 60}, makeNuts},
+      {"pegs", "eight pegs that drop into holes", {octoblisk, bvh, gimpact}, {8, 1200}, {2, 60}, makePegs},
       {"blisk",
        "1,000 hulls on the blisk",
        {octoblisk, bvh, gimpact},

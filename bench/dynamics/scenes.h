@@ -43,6 +43,13 @@ std::unique_ptr<DynamicsScene> makeChain(ShapeKind kind, int links);
 /// Hulls, boxes, balls and U-profiles fall into a static channel. Its walls are curved like two blades.
 std::unique_ptr<DynamicsScene> makeChannel(ShapeKind kind, int bodies);
 
+/// M16 nuts of 11,360 triangles run down bolts without friction. Units: millimetres. A step is 1/240 s.
+std::unique_ptr<DynamicsScene> makeNuts(ShapeKind kind, int nuts);
+
+/// Round and square pegs, 16 mm wide and 32 mm long, drop into holes with a clearance of 0.1 mm on each side,
+/// from 1 mm above and 0.05 mm aside. Units: millimetres. A step is 1/240 s.
+std::unique_ptr<DynamicsScene> makePegs(ShapeKind kind, int pegs);
+
 /// Convex hulls of 6 mm fall onto the default blisk. Units: millimetres. A step is 1/240 s.
 std::unique_ptr<DynamicsScene> makeHullsOnBlisk(ShapeKind kind, int hulls);
 
