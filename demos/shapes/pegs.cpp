@@ -2,13 +2,14 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
+#include "shapes/dimensions.h"
 #include "shapes/rims.h"
 
 namespace octoblisk::shapes {
 namespace {
+
+constexpr const char* kPeg = "a peg or hole";
 
 /// Around a circle of the radius.
 Rim polygon(Welded& mesh, int sides, double radius, double z) {
@@ -21,28 +22,18 @@ Rim polygon(Welded& mesh, int sides, double radius, double z) {
   return rim;
 }
 
-[[noreturn]] void refuse(const char* what, double value) {
-  std::ostringstream message;
-  message << "a peg or hole cannot have the " << what << ' ' << value;
-  throw std::invalid_argument(message.str());
-}
-
-void requirePositive(const char* what, double value) {
-  if (!(value > 0.0 && std::isfinite(value))) refuse(what, value);
-}
-
 void check(const PegInHole& fit) {
-  if (fit.sides < 3) refuse("number of sides", fit.sides);
-  requirePositive("radius", fit.radius);
-  requirePositive("depth", fit.depth);
-  if (!(fit.clearance >= 0.0 && std::isfinite(fit.clearance))) refuse("clearance", fit.clearance);
+  if (fit.sides < 3) refuse(kPeg, "number of sides", fit.sides);
+  requirePositive(kPeg, "radius", fit.radius);
+  requirePositive(kPeg, "depth", fit.depth);
+  requireNotNegative(kPeg, "clearance", fit.clearance);
 }
 
 }  // namespace
 
 SharedMesh peg(const PegInHole& fit, double length) {
   check(fit);
-  requirePositive("length", length);
+  requirePositive(kPeg, "length", length);
   Welded mesh;
   const Rim low = polygon(mesh, fit.sides, fit.radius, 0.0),
             high = polygon(mesh, fit.sides, fit.radius, length);

@@ -13,6 +13,7 @@
 #include "shapes/bodies.h"
 #include "shapes/pegs.h"
 #include "shapes/sheets.h"
+#include "shapes/splines.h"
 #include "shapes/threads.h"
 #include "shared/message_of.h"
 
@@ -132,6 +133,58 @@ TEST(Shapes, pegsThatCannotBeAreRefused) {
   EXPECT_EQ(messageOfHole(&PegInHole::depth, std::numeric_limits<double>::quiet_NaN()),
             "a peg or hole cannot have the depth nan");
   EXPECT_THROW(shapes::peg(good, 0.0), std::invalid_argument);
+}
+
+TEST(Shapes, splines) {
+  for (const int teeth : {3, 6, 16}) {
+    const shapes::Spline spline{
+        .teeth = teeth, .root = 0.013, .tip = 0.016, .width = 0.04 / teeth, .clearance = 1e-4};
+    const double length = 0.05, height = 0.03, angle = std::numbers::pi / teeth;
+    const SharedMesh shaft = shapes::splineShaft(spline, length), hub = shapes::splineHub(spline, height);
+    // Of a section, with all faces moved outward.
+    const auto cornerWith = [&](double wider) {  // between a tooth and the ground
+      return (spline.root + wider - (0.5 * spline.width + wider) * std::sin(angle)) / std::cos(angle);
+    };
+    const auto areaWith = [&](double wider) {  // the polygon of the ground, and the teeth at its corners
+      const double root = spline.root + wider, half = 0.5 * spline.width + wider;
+      const double tooth = 2.0 * half * (spline.tip + wider - cornerWith(wider));
+      return teeth * ((root * root - half * half) * std::tan(angle) + tooth);
+    };
+    EXPECT_NEAR(volumeOfSolid(shaft, 2) / (areaWith(0.0) * length), 1.0, 1e-12) << teeth;
+    const double half = 0.5 * spline.width + 1e-4, tip = spline.tip + 1e-4;
+    const double to_tip = std::atan(half / tip), to_ground = std::atan(half / cornerWith(1e-4));
+    const double outside =
+        2.0 * teeth * (tip * tip + half * half) *
+        (std::sin(2.0 * to_tip) + 2.0 * std::sin(to_ground - to_tip) + std::sin(2.0 * (angle - to_ground)));
+    EXPECT_NEAR(volumeOfSolid(hub, 0) / ((outside - areaWith(1e-4)) * height), 1.0, 1e-12) << teeth;
+
+    const ClusteredOctree shaft_tree = ClusteredOctree::build(shaft), hub_tree = ClusteredOctree::build(hub);
+    for (const int turns : {0, 1, 2}) {
+      const Mat3 turn = Eigen::AngleAxisd(2.0 * turns * angle, Vec3::UnitZ()).matrix();
+      for (const double aside : {0.0, 6e-5}) {  // towards a tip
+        const Pose pose{turn, Vec3(aside, 0, -0.01)};
+        const double distance = octoblisk::distance(hub_tree, shaft_tree, pose).distance;
+        EXPECT_NEAR(distance, 1e-4 - aside, 1e-12) << teeth << ' ' << turns;
+      }
+    }
+  }
+}
+
+TEST(Shapes, splinesThatCannotBeAreRefused) {
+  using shapes::Spline;
+  const Spline good{.teeth = 6, .root = 13.0, .tip = 16.0, .width = 6.0, .clearance = 0.0};
+  const auto messageOfHub = [&](auto member, auto value) {
+    Spline spline = good;
+    spline.*member = value;
+    EXPECT_THROW(shapes::splineShaft(spline, 1.0), std::invalid_argument);
+    return testing::messageOf([&] { shapes::splineHub(spline, 1.0); });
+  };
+  EXPECT_NO_THROW(shapes::splineHub(good, 1.0));
+  EXPECT_EQ(messageOfHub(&Spline::teeth, 2), "a spline cannot have the number of teeth 2");
+  EXPECT_EQ(messageOfHub(&Spline::width, 13.0), "a spline cannot have the width 13");
+  EXPECT_EQ(messageOfHub(&Spline::tip, 13.0), "a spline cannot have the tip 13");
+  EXPECT_EQ(messageOfHub(&Spline::clearance, -1.0), "a spline cannot have the clearance -1");
+  EXPECT_THROW(shapes::splineShaft(good, 0.0), std::invalid_argument);
 }
 
 TEST(Shapes, jack) {
