@@ -15,7 +15,7 @@ struct OdeLibrary {
   OdeLibrary() {
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
-    dSetMessageHandler([](int, const char*, va_list) {});  // there is one for most contacts of a nut
+    dSetMessageHandler([](int, const char*, va_list) {});  // one for most contacts of a nut
   }
 };
 

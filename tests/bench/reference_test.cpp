@@ -161,6 +161,18 @@ TEST(PrimitiveCores, areConvex) {
   }
 }
 
+TEST(Scene, theNutLiesOnTheFlanksOfItsBolt) {
+  const Scene& scene = sceneNamed("nut-on-bolt");
+  ASSERT_EQ(scene.path.size(), 144u);
+  const Reference reference(*scene.blisk);
+  for (std::size_t k = 0; k < scene.path.size(); k += 20) {
+    Pose pose = scene.path[k];
+    EXPECT_GT(reference.touchingPairs(*scene.belt, pose), 1000u) << k;
+    pose.translation.z() += 0.5e3 * shapes::axialPlay(kNutThread);  // between the flanks
+    EXPECT_EQ(reference.touchingPairs(*scene.belt, pose), 0u) << k;
+  }
+}
+
 TEST(Scene, refusesNamesOfNone) {
   EXPECT_THROW(sceneNamed("many-triangles"), std::invalid_argument);
   EXPECT_THROW(sceneNamed("501-triangles"), std::invalid_argument);
