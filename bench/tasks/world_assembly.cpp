@@ -1,6 +1,5 @@
 // Surfaces that lie along each other: an M16 nut runs down a bolt. A step of a world of Bullet or ODE, and
 // the triangle pairs that touch on the way.
-
 #include <memory>
 
 #include "contacts.h"
