@@ -237,9 +237,9 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
-    const std::optional<Pose> last_found = std::exchange(other_in_mesh_, std::nullopt);
+    other_in_mesh_.reset();  // in case of an exception
     findBodyContacts(shapes, reach, contacts_);
-    if (may_pull) pushBack(shapes, reach, mesh, other, last_found, info.m_timeStep);
+    if (may_pull) pushBack(shapes, reach, mesh, other, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
@@ -274,8 +274,7 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
 }
 
 void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
-                             const btCollisionObjectWrapper& other, const std::optional<Pose>& last_found,
-                             btScalar time_step) {
+                             const btCollisionObjectWrapper& other, btScalar time_step) {
   const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
@@ -283,22 +282,26 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   const TriangleMesh& triangles = shapes.treeOfMesh().mesh();
   const std::optional<WayBack::ConvexBody> convex = convexOther();
   const bool may_be_past = convex && way_back_.isThrough() && !contacts_.empty();
-  if (!overlap() && !may_be_past) return way_back_.noticeApart();
+  if (!overlap() && !may_be_past) return way_back_.noticeApart(shapes.other_in_mesh);
   const auto sizeOf = [](const Aabb& bounds) { return bounds.halfExtents().norm(); };
   if (convex && sizeOf(shapeBounds(shapes.other)) > sizeOf(triangles.bounds()))
     return way_back_.forget();  // too large for its middle to show its side
   const btScalar length = last_step_ ? last_step_->length : time_step;
   Pose start = startOf(mesh, length, last_step_ ? &last_step_->mesh_in_world : nullptr).inverse() *
                startOf(other, length, last_step_ ? &last_step_->other_in_world : nullptr);
-  if (way_back_.isNew() || (!convex && way_back_.wereApart())) {
+  const std::optional<Pose> last_apart = convex ? std::nullopt : way_back_.lastApart();
+  if (way_back_.isNew() || last_apart) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
     const bool were_apart = !overlap();
     findBodyContacts(shapes, reach, contacts_);
-    if (!were_apart && way_back_.wereApart() && last_found) {
-      start = *last_found;  // Bullet's solver has pushed a body that was deep, beyond its velocity
-    } else if (!were_apart) {
-      // From the next step on, the middle of a convex body shows its side.
-      return convex ? way_back_.noticeApart() : way_back_.noticeOverlap();
+    // From the next step on, the middle of a convex body shows its side.
+    if (!were_apart && convex) return way_back_.noticeApart(shapes.other_in_mesh);
+    if (!were_apart) {
+      // The solver may have moved a deep body farther than its velocity says. If a body has moved farther
+      // than it is large, the user has placed it.
+      const double size = std::min(sizeOf(shapeBounds(shapes.other)), sizeOf(triangles.bounds()));
+      if (!last_apart || !areStill(mesh, other, *last_apart, start, size)) return way_back_.noticeOverlap();
+      start = *last_apart;
     }
   }
   const auto triangles_at = [&](const Contact& contact) {

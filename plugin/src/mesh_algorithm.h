@@ -138,11 +138,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   bool mayPull(const btCollisionShape& other) const;
 
   /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. If
-  /// the last step is unknown, assumes that it took `time_step`. The last contacts were found at the pose
-  /// `last_found` of the other body in the mesh's frame.
+  /// the last step is unknown, assumes that it took `time_step`.
   void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
-                const btCollisionObjectWrapper& other, const std::optional<Pose>& last_found,
-                btScalar time_step);
+                const btCollisionObjectWrapper& other, btScalar time_step);
 
   /// Measures the room if one body is between opposite walls of the other. Keeps the greatest room since the
   /// bodies met: a load shrinks the room, and the margins would shrink with it.

@@ -53,7 +53,7 @@ TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
   for (const bool is_convex : {true, false}) {
     for (const double from : {0.3, -0.3}) {
       contacts_ = {push(from > 0.0 ? kDown : kUp, 0.1)};
-      way_back_.noticeApart();
+      way_back_.noticeApart({});
       pushBack(step(from, -0.1 * from), is_convex);
       ASSERT_EQ(contacts_.size(), 1u);
       EXPECT_EQ(way(), from > 0.0 ? kUp : kDown);
@@ -66,7 +66,7 @@ TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
 
 TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
   contacts_ = {push(kDown, 0.1, 0), push(kUp, 0.05, 1), push(kDown, 0.2, 2)};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, -0.01));
   ASSERT_EQ(contacts_.size(), 1u);
   EXPECT_EQ(contacts_[0].distance, -0.05);
@@ -75,7 +75,7 @@ TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
 TEST_F(WayBackTest, feetThatArePastTheSurfaceAreAsDeepAsTheyAre) {
   feet_ = {Vec3(1, 0, 0.05), Vec3(-1, 0, -0.25), Vec3(2, 0, 0.45)};
   contacts_ = {push(kDown, 0.1)};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, -0.2));
   ASSERT_EQ(contacts_.size(), 2u);  // one of the feet is above the surface
   EXPECT_EQ(way(), kUp);
@@ -91,7 +91,7 @@ TEST_F(WayBackTest, feetAreFoundAlsoWhereContactsPushAlongTheSurface) {
   feet_ = {Vec3(0, 1, -0.2), Vec3(0, -1, 0.2)};
   contacts_ = {{Vec3::Zero(), Vec3(-0.1, 0, 0), Vec3::UnitX(), -0.1},
                {Vec3::Zero(), Vec3(0.1, 0, 0), -Vec3::UnitX(), -0.1}};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, 0.1));
   ASSERT_EQ(contacts_.size(), 3u);
   EXPECT_NEAR(contacts_[2].distance, -0.1 - kRadius, 1e-12);
@@ -100,7 +100,7 @@ TEST_F(WayBackTest, feetAreFoundAlsoWhereContactsPushAlongTheSurface) {
 }
 
 TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   for (const double height : {-0.05, -0.1, -0.05}) {
     contacts_ = {push(kDown, 0.1)};
     pushBack(step(height + 0.2, height));  // wherever it came from in this step
@@ -116,7 +116,7 @@ TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
 
 TEST_F(WayBackTest, aBodyThatWasAloneOrForgottenStartsAnew) {
   contacts_ = {push(kDown, 0.1)};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, -0.1));
   EXPECT_EQ(way(), kUp);
   EXPECT_FALSE(way_back_.isNew());
@@ -131,7 +131,7 @@ TEST_F(WayBackTest, contactsAlongTheSurfaceStay) {
   const Contact at_edge{Vec3::Zero(), Vec3(0, 0, -0.1), Vec3::UnitX(), -0.1};
   for (const bool is_convex : {true, false}) {
     contacts_ = {at_edge};
-    way_back_.noticeApart();
+    way_back_.noticeApart({});
     pushBack(step(0.3, -0.1), is_convex);
     EXPECT_EQ(contacts_[0].normal, Vec3::UnitX());
   }
@@ -140,7 +140,7 @@ TEST_F(WayBackTest, contactsAlongTheSurfaceStay) {
 TEST_F(WayBackTest, theSurfaceMayBeOfB) {
   triangles_ = {std::nullopt, surface_};
   contacts_ = {push(kDown, 0.1)};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, -0.1), false);
   EXPECT_EQ(way(), kUp);
   EXPECT_EQ(contacts_[0].point_on_b, Vec3(0, 0, 0.1));  // on the surface, as before
@@ -149,7 +149,7 @@ TEST_F(WayBackTest, theSurfaceMayBeOfB) {
 TEST_F(WayBackTest, contactsOfSolidsStay) {
   triangles_ = {};
   contacts_ = {push(kDown, 0.1), push(kUp, 0.1)};
-  way_back_.noticeApart();
+  way_back_.noticeApart({});
   pushBack(step(0.3, -0.1));
   EXPECT_EQ(contacts_.size(), 2u);
 }

@@ -160,6 +160,25 @@ TEST(OpenMesh, bodiesBetweenFloorAndCeilingStayThere) {
   }
 }
 
+/// The user takes a body out of a valley and places it on a hill, a little too deep.
+TEST(OpenMesh, aBodyThatWasPlacedElsewhereIsPushedUp) {
+  constexpr double kHeight = 1.0, kTop = 0.5 * std::numbers::pi, kHalf = 0.1, kDepth = 0.01;
+  ClusteredOctreeShape hills = shapeOver(shapes::waveSheet(8.5, kHeight, 68));
+  const std::unique_ptr<btCollisionShape> gear = ours(testing::gear(12, 0.4, 0.48, 0.15, kHalf));
+  BulletWorld world;
+  world->setGravity(btVector3(0, 0, 0));
+  world.add(hills, 0, at(0, 0, 0));
+  btRigidBody& body = world.add(*gear, 1, at(-kTop, 0, 0.25 - kHeight));
+  body.setActivationState(DISABLE_DEACTIVATION);
+  world.step(2, kStep);
+  const double start = kHeight + kHalf - kDepth;
+  body.setWorldTransform(at(kTop, 0, start));
+  world.step(30, kStep);
+  const double z = double(body.getWorldTransform().getOrigin().z());
+  EXPECT_GT(z, start);
+  EXPECT_LT(z, start + 0.5);
+}
+
 /// A body has moved by the length of the last step, not of the current one.
 TEST(OpenMesh, stepsMayChangeTheirLength) {
   ClusteredOctreeShape floor = shapeOver(flatFloor());

@@ -54,7 +54,7 @@ ContactPatch ContactPatches::spread(std::span<const Contact> contacts, Members m
     for (const std::uint32_t m : members) {
       const Contact& contact = contacts[m];
       double value = score(contact);
-      if (!(value > least / kPreference)) continue;
+      if (!(value >= least / kPreference)) continue;
       if (wasKept(contact)) value *= kPreference;
       if (!(value > least || (best && value == least && byDepth(contact) < byDepth(*best)))) continue;
       const auto isNear = [&](const Contact& added) { return areNear(added, contact, spacing); };

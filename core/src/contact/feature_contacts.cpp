@@ -113,7 +113,7 @@ void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& oth
   const ClosestPoint out = *closestPoint(other.tree(), point);
   const Vec3 normal = out.distance > not_felt_ ? Vec3((out.point - point) / out.distance)
                                                : unitNormal(other.tree().mesh().triangle(out.triangle));
-  if (own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
+  if (!normal.isZero(0.0) && own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
     addCorner({corner, own.triangleAt(corner), out.triangle}, point, normal, -out.distance);
   } else {
     ways_back_.push_back({corner, normal});
@@ -128,24 +128,27 @@ void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& o
   if (ways_back_.empty()) return;
   const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
   const Mat3 turn = own_in_other.rotation.transpose();
-  std::ranges::sort(ways_back_, {}, &WayBack::corner);
+  std::ranges::sort(ways_back_, {}, &CornerWayBack::corner);
   for (const TrianglePair& pair : near_.meeting) {
     const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
     for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
-      const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &WayBack::corner);
+      const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &CornerWayBack::corner);
       if (way == ways_back_.end() || way->corner != corner || out.dot(way->to_nearest) > kAlike ||
           !own.isPushedAlong(corner, turn * out))
         continue;
-      const auto hit = closestHit(other.tree(), {own_in_other * own.position(corner), out, -way->height});
-      if (!hit || !own.isPushedAlong(corner, turn * hit->normal)) continue;
+      const auto hit = closestHit(other.tree(), {own_in_other * own.position(corner), out, way->length});
+      if (!hit || !hit->back_face || !own.isPushedAlong(corner, turn * hit->normal)) continue;
+      if (std::tuple(hit->t, hit->triangle) >= std::tuple(way->length, way->face)) continue;
       way->face = hit->triangle;
+      way->length = hit->t;
       way->normal = hit->normal;
       way->height = -hit->t * out.dot(hit->normal);
     }
   }
-  for (const auto& [corner, to_nearest, face, normal, height] : ways_back_) {
-    if (height > -kFar)
-      addCorner({corner, own.triangleAt(corner), face}, own_in_other * own.position(corner), normal, height);
+  for (const CornerWayBack& way : ways_back_) {
+    if (way.face == kNoTriangle) continue;
+    const CornerAndFace pair{way.corner, own.triangleAt(way.corner), way.face};
+    addCorner(pair, own_in_other * own.position(way.corner), way.normal, way.height);
   }
 }
 
@@ -257,7 +260,7 @@ void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, c
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
   if (least <= (near_.meeting.empty() ? not_felt_ : 0.0)) return;
   if (!near_.meeting.empty()) {
-    const auto [of_a, of_b] = near_.meeting.front();
+    const auto [of_a, of_b] = *std::ranges::min_element(near_.meeting);
     const Contact contact =
         meetingContact(a.tree().mesh().triangle(of_a), b_in_a * b.tree().mesh().triangle(of_b));
     const Vec3 point = 0.5 * (contact.point_on_a + contact.point_on_b);

@@ -21,7 +21,7 @@ namespace octoblisk::detail {
 /// (D. Gregorius, The separating axis test between convex polyhedra, GDC 2013). The distance is that along
 /// the normal. A corner outside the other solid has a contact with each face over which it is. A corner
 /// inside has one with the nearest point of the surface. If that point cannot push the corner, the contact is
-/// with the face through which the corner came in.
+/// with the face straight ahead along the normal of a face that a triangle at the corner meets.
 class FeatureContacts {
  public:
   /// A solid and the features of its boundary.
@@ -53,12 +53,13 @@ class FeatureContacts {
   };
 
   /// A corner inside that the nearest point of the surface cannot push, and a face that can.
-  struct WayBack {
+  struct CornerWayBack {
     std::uint32_t corner;
     Vec3 to_nearest;  ///< the direction to that point
     std::uint32_t face = kNoTriangle;
     Vec3 normal = Vec3::Zero();
-    double height = -kFar;
+    double length = kFar;  ///< of the way
+    double height = 0.0;   ///< over the face
   };
 
   void addCorners(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
@@ -78,11 +79,12 @@ class FeatureContacts {
 
   double reach_ = 0.0, not_felt_ = 0.0;
   NearFeatures near_;
-  std::vector<double> least_height_;  // per corner of one mesh: over or under a face that can push it
+  std::vector<double>
+      least_height_;  // per corner of one mesh: the nearest to 0, over a face that can push it
   std::vector<Push> pushes_;
   std::vector<std::uint32_t> seeds_;
   InsideCorners inside_;
-  std::vector<WayBack> ways_back_;
+  std::vector<CornerWayBack> ways_back_;
   std::vector<char> is_felt_a_,
       is_felt_b_;  // per corner: whether a triangle at it has a contact that touches
   std::vector<Contact> contacts_;

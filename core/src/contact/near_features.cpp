@@ -273,11 +273,11 @@ void walkFeatures(const Searched& a, const Searched& b, float limit, float round
                                     largestHalfExtent(tree_a, pair.a) >= largestHalfExtent(tree_b, pair.b))) {
       const BoxesNear near = boxesNear(a, child_a.node(), b, pair.b, limit, rounding);
       for (const std::uint32_t lane : Lanes(near.contact))
-        to_do.push({{child_a.node(), lane}, pair.b, (near.meet >> lane & 1u) != 0});
+        to_do.push({{child_a.node(), lane}, pair.b, pair.may_meet && (near.meet >> lane & 1u) != 0});
     } else {
       const BoxesNear near = boxesNear(b, child_b.node(), a, pair.a, limit, rounding);
       for (const std::uint32_t lane : Lanes(near.contact))
-        to_do.push({pair.a, {child_b.node(), lane}, (near.meet >> lane & 1u) != 0});
+        to_do.push({pair.a, {child_b.node(), lane}, pair.may_meet && (near.meet >> lane & 1u) != 0});
     }
   }
 }
@@ -312,7 +312,7 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
     return false;
   };
   const auto visit = [&](Slot slot_a, Slot slot_b, bool may_meet) HWY_ATTR {
-    if (may_meet) forEachCandidateOfLeaves(tree_a, tree_b, pose, slot_a, slot_b, addMeeting);
+    if (may_meet) forEachCandidateInLeaves(tree_a, tree_b, pose, slot_a, slot_b, addMeeting);
     const std::uint32_t place_a = placeOf(searched_a, slot_a), place_b = placeOf(searched_b, slot_b);
     const LeavesNearby::Leaf &leaf_a = of_a.leaves[place_a], &leaf_b = of_b.leaves[place_b];
     addPairs(of_a, leaf_a, leaf_b, of_b.faces[place_b], tree_b.triangles(tree_b.child(slot_b)),

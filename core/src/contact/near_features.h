@@ -66,7 +66,7 @@ class NearFeatures {
  public:
   std::vector<CornerAndFace> corners_of_a, corners_of_b;
   std::vector<EdgeAndEdge> edges;
-  std::vector<TrianglePair> meeting;  ///< as touchingPairs finds them, in another order
+  std::vector<TrianglePair> meeting;  ///< those of touchingPairs, in the order of the traversal
 
   /// Finds all pairs of triangles that meet. Also finds all pairs of a corner and a face whose height is
   /// within `reach`, on either side, and the pairs of edges of at least the sharpness `least_sharpness` whose

@@ -30,8 +30,10 @@ class WayBack {
   /// Whether nothing is known about the bodies.
   bool isNew() const { return state_ == State::fresh; }
 
-  /// Whether the bodies were apart when they were last looked at.
-  bool wereApart() const { return state_ == State::apart; }
+  /// The pose of B in A for which noticeApart was called last; none if the bodies have overlapped since.
+  std::optional<Pose> lastApart() const {
+    return state_ == State::apart ? std::optional(reference_) : std::nullopt;
+  }
 
   /// Whether a body is on the wrong side of an open surface.
   bool isThrough() const { return state_ == State::through; }
@@ -40,10 +42,13 @@ class WayBack {
   void forget() { state_ = State::fresh; }
 
   /// Call this in each step in which the bodies do not overlap, unless a body is through and near.
-  void noticeApart() { state_ = State::apart; }
+  void noticeApart(const Pose& b_in_a) {
+    state_ = State::apart;
+    reference_ = b_in_a;
+  }
 
-  /// Call this if isNew() and the bodies already overlap at the start of a step. Contacts stay as they are
-  /// until the bodies are apart.
+  /// Call this if the bodies already overlap at the start of a step, and nothing shows their sides. Contacts
+  /// stay as they are until the bodies are apart.
   void noticeOverlap() { state_ = State::unknown; }
 
   /// B, if it is convex, in its own frame.
@@ -56,11 +61,11 @@ class WayBack {
   /// Where the way between two points crosses A first, if that is an open surface; all in A's frame.
   using FindCrossing = FunctionRef<std::optional<RayHit>(const Vec3& from, const Vec3& to)>;
 
-  /// Call this with all contacts in a step with neither of these calls. If isNew() or wereApart(), the bodies
-  /// must have been apart at the start of the step. Removes the contacts that push a body through an open
-  /// surface. Adds contacts of a convex body's feet that are past the surface: the way from where its middle
-  /// was to such a foot crosses the surface. If there are none, and no contact remains that overlaps, the
-  /// deepest of the removed contacts returns, turned round.
+  /// Call this with all contacts in a step with neither of these calls. If isNew(), the bodies must have been
+  /// apart at the start of the step; likewise after noticeApart, unless B is convex. Removes the contacts
+  /// that push a body through an open surface. Adds contacts of a convex body's feet that are past the
+  /// surface: the way from where its middle was to such a foot crosses the surface. If there are none, and no
+  /// contact remains that overlaps, the deepest of the removed contacts returns, turned round.
   ///
   /// The right side of a surface is where B was at the start of the step. A convex B is represented by its
   /// middle, any other body by its point at the contact. Once a body is through, the start of that step
@@ -83,7 +88,7 @@ class WayBack {
   };
 
   State state_ = State::fresh;
-  Pose reference_;  // B in A when it was last on the right side; if touching or through
+  Pose reference_;  // B in A when it was last on the right side; unless fresh or unknown
 };
 
 }  // namespace octoblisk::detail

@@ -20,7 +20,7 @@ namespace octoblisk::detail::HWY_NAMESPACE {
 /// `meets`: the filter proves that they meet; otherwise the exact test must decide. Returns true as soon as a
 /// visit does, otherwise false.
 template <typename Visit, typename Tally = NoTally>
-HWY_INLINE bool forEachCandidateOfLeaves(const Tree& a, const Tree& b, const LocalPose& pose, Slot slot_a,
+HWY_INLINE bool forEachCandidateInLeaves(const Tree& a, const Tree& b, const LocalPose& pose, Slot slot_a,
                                          Slot slot_b, Visit&& visit, Tally&& tally = {}) {
   tally.leafPair();
   const LeafPair leaves(a, b, pose, slot_a, slot_b);
@@ -38,7 +38,7 @@ HWY_INLINE bool forEachCandidateOfLeaves(const Tree& a, const Tree& b, const Loc
   return false;
 }
 
-/// Calls visit(pair, nodes, meets) like forEachCandidateOfLeaves, for all leaves below two nodes for which
+/// Calls visit(pair, nodes, meets) like forEachCandidateInLeaves, for all leaves below two nodes for which
 /// `wants` is true. `nodes` are the nodes whose leaves contain the pair.
 template <typename Wants, typename Visit, typename Tally = NoTally>
 bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePair below, Wants&& wants,
@@ -55,7 +55,7 @@ bool walkCandidatePairs(const Tree& a, const Tree& b, const Pose& b_in_a, NodePa
         const auto visitPair = [&](const TrianglePair& pair, bool meets) HWY_ATTR {
           return visit(pair, NodePair{slot_a.node, slot_b.node}, meets);
         };
-        return forEachCandidateOfLeaves(a, b, pose, slot_a, slot_b, visitPair, tally);
+        return forEachCandidateInLeaves(a, b, pose, slot_a, slot_b, visitPair, tally);
       });
 }
 
