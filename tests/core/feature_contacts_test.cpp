@@ -293,6 +293,7 @@ TEST(FeatureContacts, ofRandomBodies_vs_bruteForce) {
   EXPECT_GT(beyond, 10);
   EXPECT_GT(inside, 50u);
   EXPECT_GT(deep, 5u);
+  EXPECT_GT(farther, 5u);
   EXPECT_LT(farther, inside / 5);
   EXPECT_LT(crossings, inside);
 }

@@ -160,9 +160,9 @@ TEST(OpenMesh, bodiesBetweenFloorAndCeilingStayThere) {
   }
 }
 
-/// The user takes a body out of a valley and places it on a hill, a little too deep.
+/// The user takes a gear out of a valley and places it on a hill, deeper than the hill reaches into its bore.
 TEST(OpenMesh, aBodyThatWasPlacedElsewhereIsPushedUp) {
-  constexpr double kHeight = 1.0, kTop = 0.5 * std::numbers::pi, kHalf = 0.1, kDepth = 0.01;
+  constexpr double kHeight = 1.0, kTop = 0.5 * std::numbers::pi, kHalf = 0.1, kDepth = 0.03;
   ClusteredOctreeShape hills = shapeOver(shapes::waveSheet(8.5, kHeight, 68));
   const std::unique_ptr<btCollisionShape> gear = ours(testing::gear(12, 0.4, 0.48, 0.15, kHalf));
   BulletWorld world;
