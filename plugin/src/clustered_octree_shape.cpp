@@ -155,6 +155,12 @@ void ClusteredOctreeShape::setMargin(btScalar margin) {
   btConcaveShape::setMargin(margin);
 }
 
+void ClusteredOctreeShape::setSolid(bool solid) {
+  if (solid == may_be_solid_) return;
+  features_ = std::make_shared<detail::MeshFeaturesOnFirstUse>();
+  may_be_solid_ = solid;
+}
+
 std::string ClusteredOctreeShape::whyNotSolid() const {
   if (isSolid()) return "";
   if (!may_be_solid_) return "setSolid(false) was called.";
@@ -165,7 +171,7 @@ std::string ClusteredOctreeShape::whyNotSolid() const {
 
 bool ClusteredOctreeShape::isSolid() const { return may_be_solid_ && isOutwardSolid(*mass_properties_); }
 
-const MeshFeatures& ClusteredOctreeShape::features() const { return features_->of(solid().boundary()); }
+const MeshFeatures& ClusteredOctreeShape::features() const { return features_->of(solid()); }
 
 SolidMesh ClusteredOctreeShape::solid() const {
   if (!may_be_solid_ || !is_anywhere_solid_) return {*tree_, SolidMesh::Kind::sheet};

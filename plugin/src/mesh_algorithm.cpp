@@ -238,6 +238,7 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_.reset();  // in case of an exception
+    if (may_pull) shapes.other_when_apart = way_back_.reference();
     findBodyContacts(shapes, reach, contacts_);
     if (may_pull) pushBack(shapes, reach, mesh, other, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
@@ -273,7 +274,7 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
   return !are_solid_.first.is_solid || (other.isConcave() && !are_solid_.second.is_solid);
 }
 
-void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+void MeshAlgorithm::pushBack(PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
   const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
@@ -292,17 +293,20 @@ void MeshAlgorithm::pushBack(const PosedShapes& shapes, double reach, const btCo
   const std::optional<Pose> last_apart = convex ? std::nullopt : way_back_.lastApart();
   if (way_back_.isNew() || last_apart) {
     findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
-    const bool were_apart = !overlap();
-    findBodyContacts(shapes, reach, contacts_);
-    // From the next step on, the middle of a convex body shows its side.
-    if (!were_apart && convex) return way_back_.noticeApart(shapes.other_in_mesh);
-    if (!were_apart) {
+    std::optional<Pose> reference;
+    if (!overlap()) {
+      reference = start;
+    } else if (last_apart) {
       // The solver may have moved a deep body farther than its velocity says. If a body has moved farther
       // than it is large, the user has placed it.
       const double size = std::min(sizeOf(shapeBounds(shapes.other)), sizeOf(triangles.bounds()));
-      if (!last_apart || !areStill(mesh, other, *last_apart, start, size)) return way_back_.noticeOverlap();
-      start = *last_apart;
+      if (areStill(mesh, other, *last_apart, start, size)) reference = last_apart;
     }
+    shapes.other_when_apart = reference;
+    findBodyContacts(shapes, reach, contacts_);
+    // From the next step on, the middle of a convex body shows its side.
+    if (!reference) return convex ? way_back_.noticeApart(shapes.other_in_mesh) : way_back_.noticeOverlap();
+    start = *reference;
   }
   const auto triangles_at = [&](const Contact& contact) {
     WayBack::OpenTriangles open;

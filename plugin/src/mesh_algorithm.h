@@ -78,6 +78,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     Pose other_in_mesh;
     double breaking;
     bool has_all_triangles = false;  ///< also those that a body cannot touch from outside
+    std::optional<Pose> other_when_apart = std::nullopt;  ///< in the mesh's frame, if known
 
     const ClusteredOctree& treeOf(const ClusteredOctreeShape& shape) const;
     const ClusteredOctree& treeOfMesh() const { return treeOf(mesh); }
@@ -139,7 +140,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
 
   /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. If
   /// the last step is unknown, assumes that it took `time_step`.
-  void pushBack(const PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+  void pushBack(PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
                 const btCollisionObjectWrapper& other, btScalar time_step);
 
   /// Measures the room if one body is between opposite walls of the other. Keeps the greatest room since the

@@ -11,6 +11,7 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
+#include "orthonormal_pose.h"
 #include "shape_bounds.h"
 
 namespace octoblisk::detail {
@@ -101,13 +102,16 @@ void MeshConcaveAlgorithm::findTriangleContacts(const PosedShapes& shapes, doubl
 
 void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
                                             std::vector<Contact>& found) {
-  findTriangleContacts(shapes, reach, found);
-  surface_contacts_.filter(
-      found, reach,
-      [&](const Contact& contact) { return shapes.treeOfMesh().mesh().triangle(contact.triangle_a); },
-      [&](const Contact& contact) {
-        return shapes.other_in_mesh * source_contacts_.triangle(contact.triangle_b).corners;
-      });
+  found.clear();
+  const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
+  const Pose& other_in_mesh = shapes.other_in_mesh;
+  const SolidMesh solid = shapes.mesh.solid();
+  sheet_.read(
+      source,
+      boundsOf((other_in_mesh.inverse() * obbOf(solid.boundary().mesh().bounds())).corners()).grown(reach));
+  if (sheet_.isEmpty()) return;
+  feature_contacts_.find({shapes.mesh.features(), solid}, sheet_.sheet(), orthonormal(other_in_mesh), reach,
+                         shapes.breaking, shapes.other_when_apart, found);
 }
 
 }  // namespace octoblisk::detail

@@ -4,7 +4,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
-#include "contact/surface_contacts.h"
+#include "contact/source_sheet.h"
 #include "mesh_algorithm.h"
 #include "octoblisk/source_contacts.h"
 
@@ -22,11 +22,12 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
   double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }
   std::optional<SourceTriangle> triangleOfOther(const btCollisionShape&,
                                                 const Contact& contact) const override {
-    return source_contacts_.triangle(contact.triangle_b);
+    return sheet_.triangle(contact.triangle_b);
   }
 
   SourceContacts source_contacts_;
-  SurfaceContacts surface_contacts_;
+  SourceSheet sheet_;
+  FeatureContacts feature_contacts_;
 };
 
 }  // namespace octoblisk::detail

@@ -5,6 +5,7 @@
 #include "octoblisk/clustered_octree.h"
 #include "octoblisk/contacts.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
+#include "orthonormal_pose.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -30,15 +31,8 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
                                          std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  if (shape_a.isSolid() && shape_b.isSolid()) {
-    // Bullet's pose in single precision is not orthonormal in double precision.
-    const Mat3 turn = Eigen::Quaterniond(b_in_a.rotation).normalized().toRotationMatrix();
-    feature_contacts_.find({shape_a.features(), shape_a.solid()}, {shape_b.features(), shape_b.solid()},
-                           {turn, b_in_a.translation}, reach, shapes.breaking, found);
-  } else {
-    surface_contacts_.find(shapes.treeOf(shape_a), shapes.treeOf(shape_b), b_in_a, reach,
-                           kCreated * shapes.breaking, found);
-  }
+  feature_contacts_.find({shape_a.features(), shape_a.solid()}, {shape_b.features(), shape_b.solid()},
+                         orthonormal(b_in_a), reach, shapes.breaking, shapes.other_when_apart, found);
   // Far vertices that are deeper than `reach` get contacts of their own.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }

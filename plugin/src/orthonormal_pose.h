@@ -5,10 +5,11 @@
 
 namespace octoblisk::detail {
 
-/// The transform as a pose that is orthonormal in double precision.
-inline Pose orthonormalPose(const btTransform& transform) {
-  const Pose pose = fromBullet(transform);
+/// A pose that is nearly orthonormal, made so in double precision.
+inline Pose orthonormal(const Pose& pose) {
   return {Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix(), pose.translation};
 }
+
+inline Pose orthonormalPose(const btTransform& transform) { return orthonormal(fromBullet(transform)); }
 
 }  // namespace octoblisk::detail

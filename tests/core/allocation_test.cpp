@@ -119,7 +119,7 @@ TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {
 
 TEST(Allocation, warmQueriesOfFeaturesAllocateNothing) {
   const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
-  const MeshFeatures features(ring);
+  const MeshFeatures features({ring, SolidMesh::Kind::simple});
   const FeatureContacts::Solid solid{features, SolidMesh(ring, SolidMesh::Kind::simple)};
   FeatureContacts query;
   std::vector<Contact> found;
@@ -127,7 +127,7 @@ TEST(Allocation, warmQueriesOfFeaturesAllocateNothing) {
   const auto queryAll = [&] {
     std::mt19937_64 random(65);
     for (int i = 0; i < 50; ++i) {
-      query.find(solid, solid, testing::randomPose(random, 1.2), 0.05, 0.05, found);
+      query.find(solid, solid, testing::randomPose(random, 1.2), 0.05, 0.05, {}, found);
       hits += found.empty() ? 0 : 1;
     }
   };
@@ -146,7 +146,7 @@ TEST(Allocation, warmQueriesOfSurfacesAllocateNothing) {
   const auto queryAll = [&] {
     std::mt19937_64 random(64);
     for (int i = 0; i < 51; ++i) {  // an odd number: buffers that are exchanged change places
-      query.find(ring, ring, testing::randomPose(random, 1.2), 0.05, 0.05, found);
+      query.find(ring, ring, testing::randomPose(random, 1.2), 0.05, 0.05, {}, found);
       hits += !found.empty();
     }
   };

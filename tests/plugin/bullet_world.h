@@ -10,6 +10,7 @@
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
+#include "octoblisk/contact.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::testing {
@@ -56,6 +57,18 @@ struct PairReport final : btCollisionWorld::ContactResultCallback {
     points.push_back({fromBullet(p.m_positionWorldOnA), fromBullet(p.m_positionWorldOnB),
                       fromBullet(p.m_normalWorldOnB), double(p.m_distance1), part0, index0, part1, index1});
     return 0;
+  }
+
+  /// The contacts of two bodies without their margins, in the first one's frame. The parts are left out.
+  std::vector<Contact> contacts(const Pose& first_in_world, double margin0, double margin1) const {
+    std::vector<Contact> all;
+    for (const Point& p : points) {
+      all.push_back({first_in_world.inverse() * (p.on_a + margin0 * p.normal),
+                     first_in_world.inverse() * (p.on_b - margin1 * p.normal),
+                     first_in_world.rotation.transpose() * p.normal, p.distance + margin0 + margin1,
+                     std::uint32_t(p.index0), std::uint32_t(p.index1)});
+    }
+    return all;
   }
 
   /// The least distance, or +infinity without contacts.

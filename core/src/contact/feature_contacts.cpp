@@ -27,18 +27,24 @@ struct PosedEdge {
   }
 };
 
-/// Of the two faces beside an edge, turned.
+/// The turned normals of the two faces beside an edge, on the side from which the edge is convex.
 std::array<Vec3, 2> normalsOf(const SharpEdge& edge, const MeshFeatures& mesh, const Mat3& turn) {
   const TriangleMesh& triangles = mesh.tree().mesh();
-  return {turn * unitNormal(triangles.triangle(mesh.triangleOf(edge))),
-          turn * unitNormal(triangles.triangle(edge.across))};
+  const Triangle triangle = triangles.triangle(mesh.triangleOf(edge));
+  const Vec3 first = unitNormal(triangle);
+  if (edge.across == kNoTriangle) return {turn * first, -(turn * first)};
+  const Vec3 second = unitNormal(triangles.triangle(edge.across));
+  if (mesh.hasSheets() &&
+      first.cross(second).dot(triangle[(edge.corner + 1) % 3] - triangle[edge.corner]) < 0.0)
+    return {-(turn * second), -(turn * first)};
+  return {turn * first, turn * second};
 }
 
 /// Whether a unit vector perpendicular to an edge is between the normals of its faces.
 bool isBetween(const std::array<Vec3, 2>& normals, const Vec3& along, const Vec3& direction) {
   const double least = -kAlike * along.norm();
   return direction.dot(along.cross(normals[0])) >= least && direction.dot(normals[1].cross(along)) >= least &&
-         direction.dot(normals[0] + normals[1]) > 0.0;
+         direction.dot(normals[0] + normals[1]) >= 0.0;
 }
 
 /// Whether the way against a direction leads from an edge into the solid. At an acute edge, some directions
@@ -65,11 +71,30 @@ void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
   const Mat3 turn = own_in_other.rotation.transpose();
   if (least_height_.size() < features.cornerCount()) least_height_.resize(features.cornerCount(), kFar);
   pushes_.clear();
+  own_in_other_ = own_in_other;
+  before_in_other_ =
+      knows_before_ ? std::optional(other.before_in_a.inverse() * own.before_in_a) : std::nullopt;
   for (const CornerAndFace& pair : pairs) {
     const Triangle face = faces.triangle(pair.face);
     const Vec3 normal = unitNormal(face), point = own_in_other * features.position(pair.corner);
-    if (normal.isZero(0.0) || !features.isPushedAlong(pair.corner, turn * normal)) continue;
+    if (normal.isZero(0.0)) continue;
     const double height = normal.dot(point - face[0]);
+    const auto isPushedAlong = [&](const Vec3& direction) {
+      return features.isPushedAlong(pair.corner, turn * direction);
+    };
+    if (other.features.isSheet(pair.face)) {
+      const double here = std::copysign(1.0, height),
+                   side = near_.meeting.empty() ? here : sideOf(features, pair.corner, face[0], normal);
+      for (const double sense : {side, here, -here}) {
+        const double over = sense * height;
+        if (over < -not_felt_ && (near_.meeting.empty() || sense != side)) continue;
+        if (!isPushedAlong(sense * normal)) continue;
+        addCorner(pair, point, sense * normal, over);
+        break;
+      }
+      continue;
+    }
+    if (!isPushedAlong(normal)) continue;
     double& least = least_height_[pair.corner];
     if (std::abs(height) < std::abs(least)) least = height;
     if (height >= -not_felt_ && height <= reach_) pushes_.push_back({pair, point, normal, height});
@@ -86,6 +111,7 @@ void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
     if (isDeep(corner)) addWayOut(features, other.features, own_in_other, corner);
   }
   addWaysBack(features, other.features, own_in_other, own_triangle);
+  addPastSheets(features, other.features, own_in_other, own_triangle);
   for (const CornerAndFace& pair : pairs) least_height_[pair.corner] = kFar;
 }
 
@@ -120,6 +146,36 @@ void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& oth
   }
 }
 
+/// 1 if a corner belongs above a plane of a sheet in the other mesh, -1 if below: where it was when the
+/// meshes were last apart. If that is not known, where the middle of its mesh is.
+double FeatureContacts::sideOf(const MeshFeatures& own, std::uint32_t corner, const Vec3& on_plane,
+                               const Vec3& normal) const {
+  const auto height = [&](const Pose& pose, const Vec3& point) {
+    return normal.dot(pose * point - on_plane);
+  };
+  const double before = before_in_other_ ? height(*before_in_other_, own.position(corner)) : 0.0;
+  if (std::abs(before) > not_felt_) return std::copysign(1.0, before);
+  const Vec3 middle = own.tree().mesh().bounds().center();
+  return std::copysign(1.0, height(before_in_other_.value_or(own_in_other_), middle));
+}
+
+/// Takes a way back of a corner straight along a unit vector if it is shorter than the one known: to the
+/// first face of the other mesh that can push the corner there.
+void FeatureContacts::shortenWayBack(const MeshFeatures& own, const MeshFeatures& other,
+                                     const Pose& own_in_other, const Vec3& out, CornerWayBack& way) {
+  const Mat3 turn = own_in_other.rotation.transpose();
+  const auto hit = closestHit(other.tree(), {own_in_other * own.position(way.corner), out, way.length});
+  if (!hit) return;
+  const bool is_of_sheet = other.isSheet(hit->triangle);
+  const Vec3 normal = is_of_sheet ? out : hit->normal;
+  if (!is_of_sheet && !(hit->back_face && own.isPushedAlong(way.corner, turn * normal))) return;
+  if (std::tuple(hit->t, hit->triangle) >= std::tuple(way.length, way.face)) return;
+  way.face = hit->triangle;
+  way.length = hit->t;
+  way.normal = normal;
+  way.height = -hit->t * out.dot(normal);
+}
+
 /// Adds the contacts of corners that the nearest point cannot push. Each comes out along the normal of a face
 /// that a triangle at the corner meets and that does not face the way to the nearest point: others push that
 /// way. If there are several such normals, it is the shortest way.
@@ -127,32 +183,65 @@ void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& o
                                   const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
   if (ways_back_.empty()) return;
   const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
-  const Mat3 turn = own_in_other.rotation.transpose();
   std::ranges::sort(ways_back_, {}, &CornerWayBack::corner);
   for (const TrianglePair& pair : near_.meeting) {
     const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
     for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
       const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &CornerWayBack::corner);
       if (way == ways_back_.end() || way->corner != corner || out.dot(way->to_nearest) > kAlike ||
-          !own.isPushedAlong(corner, turn * out))
+          !own.isPushedAlong(corner, own_in_other.rotation.transpose() * out))
         continue;
-      const auto hit = closestHit(other.tree(), {own_in_other * own.position(corner), out, way->length});
-      if (!hit || !hit->back_face || !own.isPushedAlong(corner, turn * hit->normal)) continue;
-      if (std::tuple(hit->t, hit->triangle) >= std::tuple(way->length, way->face)) continue;
-      way->face = hit->triangle;
-      way->length = hit->t;
-      way->normal = hit->normal;
-      way->height = -hit->t * out.dot(hit->normal);
+      shortenWayBack(own, other, own_in_other, out, *way);
     }
   }
-  for (const CornerWayBack& way : ways_back_) {
-    if (way.face == kNoTriangle) continue;
-    const CornerAndFace pair{way.corner, own.triangleAt(way.corner), way.face};
-    addCorner(pair, own_in_other * own.position(way.corner), way.normal, way.height);
+  for (const CornerWayBack& way : ways_back_) addWayBack(own, own_in_other, way);
+}
+
+void FeatureContacts::addWayBack(const MeshFeatures& own, const Pose& own_in_other,
+                                 const CornerWayBack& way) {
+  if (way.face == kNoTriangle) return;
+  const CornerAndFace pair{way.corner, own.triangleAt(way.corner), way.face};
+  addCorner(pair, own_in_other * own.position(way.corner), way.normal, way.height);
+}
+
+/// Adds the contacts of corners that are past a sheet by more than the reach: those of triangles that meet the
+/// sheet, and from each of them downhill the first one that can be pushed back.
+void FeatureContacts::addPastSheets(const MeshFeatures& own, const MeshFeatures& other,
+                                    const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
+  if (!other.hasSheets()) return;
+  const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
+  const Mat3 turn = own_in_other.rotation.transpose();
+  past_.clear();
+  for (const TrianglePair& pair : near_.meeting) {
+    if (!other.isSheet(pair.*other_triangle)) continue;
+    const Triangle face = other.tree().mesh().triangle(pair.*other_triangle);
+    const Vec3 normal = unitNormal(face);
+    for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
+      const Vec3 out = sideOf(own, corner, face[0], normal) * normal, out_of_own = turn * out;
+      if (!(out.dot(own_in_other * own.position(corner) - face[0]) < 0.0)) continue;
+      for (std::uint32_t past = corner; past != kNoIndex; past = own.neighbourAgainst(past, out_of_own)) {
+        const bool is_pushed = own.isPushedAlong(past, out_of_own);
+        if (is_pushed || past == corner) past_.push_back({past, out});
+        if (is_pushed) break;
+      }
+    }
+  }
+  std::ranges::sort(past_, {}, [](const PastCorner& past) {
+    return std::tuple(past.corner, past.out.x(), past.out.y(), past.out.z());
+  });
+  const auto areAlike = [](const PastCorner& a, const PastCorner& b) {
+    return a.corner == b.corner && a.out.cross(b.out).norm() <= kAlike && a.out.dot(b.out) > 0.0;
+  };
+  past_.erase(std::unique(past_.begin(), past_.end(), areAlike), past_.end());
+  for (const auto& [corner, out] : past_) {
+    CornerWayBack way{corner, Vec3::Zero()};
+    shortenWayBack(own, other, own_in_other, out, way);
+    addWayBack(own, own_in_other, way);
   }
 }
 
-void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
+void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                               const Pose& b_before) {
   const SharpEdge* last = nullptr;
   PosedEdge of_a;
   for (const EdgeAndEdge& pair : near_.edges) {
@@ -169,14 +258,30 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
     Vec3 normal = of_a.along.cross(of_b.along).normalized();
     double distance = normal.dot(between);
     if (!(std::abs(distance) <= reach_)) continue;
-    const auto normals_of_b = normalsOf(*pair.of_b, b, b_in_a.rotation);
-    if (normal.dot(normals_of_b[0] + normals_of_b[1]) < 0.0) normal = -normal, distance = -distance;
-    const auto normals_of_a = normalsOf(*pair.of_a, a, Mat3::Identity());
-    if (!isBetween(normals_of_b, of_b.along, normal) || !isBetween(normals_of_a, of_a.along, -normal))
-      continue;
-    const bool may_overlap =
-        !near_.meeting.empty() && leadsOut(normals_of_b, normal) && leadsOut(normals_of_a, -normal);
-    if (distance < 0.0 && !may_overlap) continue;
+    const auto normals_of_a = normalsOf(*pair.of_a, a, Mat3::Identity()),
+               normals_of_b = normalsOf(*pair.of_b, b, b_in_a.rotation);
+    const auto arePushed = [&] {
+      return isBetween(normals_of_b, of_b.along, normal) && isBetween(normals_of_a, of_a.along, -normal);
+    };
+    if (distance < 0.0) normal = -normal, distance = -distance;
+    if (knows_before_ && !near_.meeting.empty() &&
+        (a.isSheet(a.triangleOf(*pair.of_a)) || b.isSheet(b.triangleOf(*pair.of_b)))) {
+      const double before = normal.dot(of_a.from - b_before * (b_in_a.inverse() * of_b.from));
+      if (before < -not_felt_) {
+        normal = -normal, distance = -distance;
+        if (!arePushed()) normal = -normal, distance = -distance;
+      }
+    }
+    if (!arePushed()) {
+      normal = -normal, distance = -distance;
+      const auto leadsOutOf = [](const MeshFeatures& mesh, const SharpEdge& edge, const auto& normals,
+                                 const Vec3& direction) {
+        return mesh.isSheet(mesh.triangleOf(edge)) || leadsOut(normals, direction);
+      };
+      const bool may_overlap = !near_.meeting.empty() && leadsOutOf(b, *pair.of_b, normals_of_b, normal) &&
+                               leadsOutOf(a, *pair.of_a, normals_of_a, -normal);
+      if (!arePushed() || (distance < 0.0 && !may_overlap)) continue;
+    }
     const Vec3 point = of_a.from + s * of_a.along, point_on_b = point - distance * normal;
     contacts_.push_back(
         {point, point_on_b, normal, distance, a.triangleOf(*pair.of_a), b.triangleOf(*pair.of_b)});
@@ -276,9 +381,11 @@ void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, c
 }
 
 void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pose& b_in_a, double reach,
-                           double spacing, std::vector<Contact>& found) {
+                           double spacing, const std::optional<Pose>& before, std::vector<Contact>& found) {
   const MeshFeatures &a = solid_a.features, &b = solid_b.features;
-  const PosedSolid posed_a{a, solid_a.mesh, Pose()}, posed_b{b, solid_b.mesh, b_in_a};
+  knows_before_ = before.has_value();
+  const PosedSolid posed_a{a, solid_a.mesh, Pose(), Pose()},
+      posed_b{b, solid_b.mesh, b_in_a, before.value_or(b_in_a)};
   reach_ = reach;
   not_felt_ = spacing / 40.0;  // contacts are as far apart as the spacing, so this tilts a body by 1/40
   contacts_.clear();
@@ -297,7 +404,7 @@ void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pos
     std::swap(contact.triangle_a, contact.triangle_b);
     contact.normal = -contact.normal;
   }
-  addEdges(a, b, b_in_a);
+  addEdges(a, b, b_in_a, before.value_or(b_in_a));
   addCrossings(a, b, b_in_a, countUnfelt(a, b));
   addNearest(a, b, b_in_a);
   found.assign(contacts_.begin(), contacts_.end());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,7 @@ class FeatureContacts {
   /// If triangles meet where no contact is near, their curve has a contact along its way out; its points are
   /// on neither surface. The pose is orthonormal in double precision. Allocates nothing once warm.
   void find(const Solid& a, const Solid& b, const Pose& b_in_a, double reach, double spacing,
-            std::vector<Contact>& found);
+            const std::optional<Pose>& before, std::vector<Contact>& found);
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -43,7 +44,7 @@ class FeatureContacts {
   struct PosedSolid {
     const MeshFeatures& features;
     const SolidMesh& mesh;
-    Pose in_a;
+    Pose in_a, before_in_a;
   };
   /// A face that can push a corner.
   struct Push {
@@ -62,22 +63,38 @@ class FeatureContacts {
     double height = 0.0;   ///< over the face
   };
 
+  /// A corner past a sheet, and the direction back.
+  struct PastCorner {
+    std::uint32_t corner;
+    Vec3 out;
+  };
+
   void addCorners(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
                   std::uint32_t TrianglePair::*own_triangle);
   void findInside(const PosedSolid& own, const PosedSolid& other, std::span<const CornerAndFace> pairs,
                   std::uint32_t TrianglePair::*own_triangle);
   void addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
                  std::uint32_t corner);
+  double sideOf(const MeshFeatures& own, std::uint32_t corner, const Vec3& on_plane,
+                const Vec3& normal) const;
+  void shortenWayBack(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
+                      const Vec3& out, CornerWayBack& way);
   void addWaysBack(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
                    std::uint32_t TrianglePair::*own_triangle);
+  void addWayBack(const MeshFeatures& own, const Pose& own_in_other, const CornerWayBack& way);
+  void addPastSheets(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
+                     std::uint32_t TrianglePair::*own_triangle);
   void addCorner(const CornerAndFace& pair, const Vec3& point, const Vec3& normal, double height);
-  void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
+  void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, const Pose& b_before);
   std::size_t countUnfelt(const MeshFeatures& a, const MeshFeatures& b);
   void addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
   void addCrossing(const TrianglePair& pair);
   void addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
 
   double reach_ = 0.0, not_felt_ = 0.0;
+  bool knows_before_ = false;
+  Pose own_in_other_;
+  std::optional<Pose> before_in_other_;
   NearFeatures near_;
   std::vector<double>
       least_height_;  // per corner of one mesh: the nearest to 0, over a face that can push it
@@ -85,6 +102,7 @@ class FeatureContacts {
   std::vector<std::uint32_t> seeds_;
   InsideCorners inside_;
   std::vector<CornerWayBack> ways_back_;
+  std::vector<PastCorner> past_;
   std::vector<char> is_felt_a_,
       is_felt_b_;  // per corner: whether a triangle at it has a contact that touches
   std::vector<Contact> contacts_;

@@ -59,9 +59,14 @@ double angleAt(const Triangle& triangle, std::size_t v) {
 
 }  // namespace
 
-MeshFeatures::MeshFeatures(const ClusteredOctree& octree) : tree_(&octree) {
-  const Surface surface(octree, Surface::OnlyConnected());
-  leaves_.resize(treeOf(octree).nodeCount() * kLanes);
+MeshFeatures::MeshFeatures(const SolidMesh& solid) : tree_(&solid.boundary()) {
+  for (std::uint32_t t = 0; t < tree_->mesh().triangleCount(); ++t) {
+    if (solid.boundsSolid(t)) continue;
+    is_sheet_.resize(tree_->mesh().triangleCount());
+    is_sheet_[t] = true;
+  }
+  const Surface surface(*tree_, Surface::OnlyConnected());
+  leaves_.resize(treeOf(*tree_).nodeCount() * kLanes);
   listCorners(surface);
   listEdges(surface);
   describeLeaves(surface);
@@ -102,7 +107,9 @@ void MeshFeatures::gatherNeighbours(const Surface& surface, std::uint32_t corner
   neighbours_begin_.push_back(static_cast<std::uint32_t>(begin));
   Vec3 normal = Vec3::Zero();  // weighted by angles (Bærentzen and Aanæs 2005)
   double angles = 0.0;
+  bool is_of_sheet = false;
   for (const std::uint32_t triangle : surface.star(corner_of_surface)) {
+    is_of_sheet |= isSheet(triangle);
     const auto& corners = surface.corners(triangle);
     const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner_of_surface) - corners.begin());
     const Triangle positions = tree_->mesh().triangle(triangle);
@@ -116,6 +123,7 @@ void MeshFeatures::gatherNeighbours(const Surface& surface, std::uint32_t corner
       neighbours_.push_back(neighbour);
     }
   }
+  if (is_of_sheet) normal.setZero();
   normals_.push_back((angles > 0.0 ? Vec3(normal / angles) : normal).cast<float>());
 }
 
@@ -131,11 +139,14 @@ void MeshFeatures::listEdges(const Surface& surface) {
       const Vec3 normal = scaledNormal(mesh.triangle(triangle));
       for (std::uint32_t v = 0; v < 3; ++v) {
         const std::uint32_t across = triangleAcross(surface, triangle, v);
-        if (across == kNoTriangle || across < triangle) continue;
-        const Vec3 other = scaledNormal(mesh.triangle(across));
+        if (across != kNoTriangle ? across < triangle : !isSheet(triangle)) continue;
         const Vec3 along = mesh.triangle(triangle)[(v + 1) % 3] - mesh.triangle(triangle)[v];
-        const double turn = std::atan2(normal.cross(other).norm(), normal.dot(other));
-        if (!(normal.cross(other).dot(along) > 0.0)) continue;
+        const Vec3 other = across != kNoTriangle ? scaledNormal(mesh.triangle(across)) : Vec3(-normal);
+        const double turn = std::atan2(normal.cross(other).norm(), normal.dot(other)),
+                     convexity = normal.cross(other).dot(along);
+        if (across != kNoTriangle &&
+            !(isSheet(triangle) && isSheet(across) ? convexity != 0.0 : convexity > 0.0))
+          continue;
         edges_.push_back({place, v, across, static_cast<float>(along.norm() * turn / 8.0)});
       }
     }
@@ -162,7 +173,7 @@ void MeshFeatures::describeLeaves(const Surface& surface) {
           normals.push_back(unitNormal(tree_->mesh().triangle(around)));
       }
     }
-    leaf.against = coneAround(normals, kLean);
+    if (!hasSheets()) leaf.against = coneAround(normals, kLean);
   });
 }
 
@@ -214,6 +225,13 @@ bool MeshFeatures::isPushedAlong(std::uint32_t corner, const Vec3& direction) co
     const double along = direction.dot(way);
     return along >= 0.0 || along * along <= kAlike * kAlike * way.squaredNorm();
   });
+}
+
+std::uint32_t MeshFeatures::neighbourAgainst(std::uint32_t corner, const Vec3& direction) const {
+  const auto along = [&](std::uint32_t c) { return direction.dot(position(c)); };
+  const auto neighbours = neighboursOf(corner);
+  const auto next = std::ranges::min_element(neighbours, {}, along);
+  return next != neighbours.end() && along(*next) < along(corner) ? *next : kNoIndex;
 }
 
 }  // namespace octoblisk::detail

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/solid_mesh.h"
 #include "octoblisk/surface.h"
 #include "simd/box8.h"
 #include "tree/child.h"
@@ -17,10 +18,11 @@ namespace octoblisk::detail {
 /// The sine of the angle within which two directions count as the same.
 inline constexpr double kAlike = 0.1;
 
-/// A convex edge between two triangles: that from a corner of one triangle to its next corner.
+/// An edge that others can touch, from a corner of a triangle to its next corner: a convex edge between two
+/// triangles; of a sheet, also a concave edge, which is convex from behind, and an edge of a single triangle.
 struct SharpEdge {
   std::uint32_t place : 30, corner : 2;  ///< the triangle's place in the tree's order, and its corner
-  std::uint32_t across;                  ///< the other triangle
+  std::uint32_t across;                  ///< the other triangle; kNoTriangle: none
   float sharpness;                       ///< how far the edge deviates from what its ends say, a length
 };
 
@@ -47,11 +49,14 @@ struct NodeReach {
 /// with one triangle. Corners are numbered from 0 in the order of the list: by places in the tree's order.
 class MeshFeatures {
  public:
-  /// The tree must outlive it.
-  explicit MeshFeatures(const ClusteredOctree& tree);
-  explicit MeshFeatures(ClusteredOctree&&) = delete;
+  /// Those of the boundary. What the solid refers to must outlive it.
+  explicit MeshFeatures(const SolidMesh& solid);
 
   const ClusteredOctree& tree() const { return *tree_; }
+
+  bool hasSheets() const { return !is_sheet_.empty(); }
+  /// Whether a triangle bounds no solid, so that both its sides can be touched.
+  bool isSheet(std::uint32_t triangle) const { return hasSheets() && is_sheet_[triangle]; }
 
   std::size_t cornerCount() const { return vertex_.size(); }
   const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
@@ -78,8 +83,11 @@ class MeshFeatures {
   std::uint32_t triangleOf(const SharpEdge& edge) const;
 
   /// Whether a unit vector in the mesh's frame is in the cone of directions in which others can push the
-  /// corner: no neighbour is farther out against the vector, and it does not point out of the surface.
+  /// corner: no neighbour is farther out against the vector, and it does not point out of the solid.
   bool isPushedAlong(std::uint32_t corner, const Vec3& direction) const;
+
+  /// The neighbour that is farthest against a vector; kNoIndex if the corner is.
+  std::uint32_t neighbourAgainst(std::uint32_t corner, const Vec3& direction) const;
 
  private:
   void listCorners(const Surface& surface);
@@ -95,7 +103,8 @@ class MeshFeatures {
   std::vector<std::uint32_t> triangle_;          // per corner: the one with which it is listed
   std::vector<std::uint32_t> neighbours_begin_;  // per corner
   std::vector<std::uint32_t> neighbours_;
-  std::vector<Eigen::Vector3f> normals_;  // per corner: the mean normal of its triangles
+  std::vector<bool> is_sheet_;            // per triangle; empty if all bound a solid
+  std::vector<Eigen::Vector3f> normals_;  // per corner: the mean normal of its triangles; zero at sheets
   std::vector<SharpEdge> edges_;
   std::vector<NodeReach> reaches_;    // per node
   std::vector<LeafFeatures> leaves_;  // per slot
@@ -104,8 +113,8 @@ class MeshFeatures {
 /// The features of one mesh, which must not change. Any number of threads may ask.
 class MeshFeaturesOnFirstUse {
  public:
-  const MeshFeatures& of(const ClusteredOctree& tree) {
-    std::call_once(once_, [&] { features_.emplace(tree); });
+  const MeshFeatures& of(const SolidMesh& solid) {
+    std::call_once(once_, [&] { features_.emplace(solid); });
     return *features_;
   }
 

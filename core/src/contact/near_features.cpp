@@ -290,11 +290,13 @@ void addNearFeatures(const MeshFeatures& a, const MeshFeatures& b, const Pose& b
   const float limit = pose.limit(reach), rounding = pose.limit(0.0);
   const Searched searched_a{a, pose.a_to_b, PoseF(Pose()), limit, least_sharpness, of_a},
       searched_b{b, pose.b_to_a, pose.b_to_a, limit, least_sharpness, of_b};
+  const bool has_sheets = a.hasSheets() || b.hasSheets();
   const auto addPairs = [&](const LeavesNearby& own, const LeavesNearby::Leaf& leaf,
                             const LeavesNearby::Leaf& other, const LeavesNearby::Faces& faces,
                             std::span<const std::uint32_t> triangles,
                             std::vector<CornerAndFace>& found) HWY_ATTR {
-    const unsigned lanes = ((1u << triangles.size()) - 1u) & facesAgainst(other, faces.faces, leaf.against);
+    unsigned lanes = (1u << triangles.size()) - 1u;
+    if (!has_sheets) lanes &= facesAgainst(other, faces.faces, leaf.against);
     if (lanes == 0) return;
     for (std::uint32_t c = leaf.corners_begin; c < leaf.corners_end; ++c) {
       const LeavesNearby::Corners& corners = own.corners[c];

@@ -35,6 +35,11 @@ class WayBack {
     return state_ == State::apart ? std::optional(reference_) : std::nullopt;
   }
 
+  /// The pose of B in A when it was last on the right side, if the bodies overlap.
+  std::optional<Pose> reference() const {
+    return state_ == State::touching || state_ == State::through ? std::optional(reference_) : std::nullopt;
+  }
+
   /// Whether a body is on the wrong side of an open surface.
   bool isThrough() const { return state_ == State::through; }
 

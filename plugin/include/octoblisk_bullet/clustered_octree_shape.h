@@ -95,7 +95,7 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// inside is pushed out along the shortest path. Facets may be doubled, parts may overlap, and T-junctions
   /// and narrow cracks do not matter. Around holes, and with setSolid(false) everywhere, the mesh is a
   /// surface, which has no inside: a body that passes through it in one step stays there.
-  void setSolid(bool solid) { may_be_solid_ = solid; }
+  void setSolid(bool solid);
   /// Whether the mesh is a solid. False after setSolid(false), and if the mesh has holes or no volume, or if
   /// it faces inward as a whole. Also true if a separate part faces inward (`inspect` in
   /// octoblisk/inspection.h lists such triangles): only that part acts differently.

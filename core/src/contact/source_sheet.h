@@ -1,0 +1,38 @@
+// The triangles of another library's surface near a body, as a mesh with features.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/feature_contacts.h"
+#include "octoblisk/triangle_source.h"
+
+namespace octoblisk::detail {
+
+/// A TriangleSource says nothing about the inside, so its triangles are a sheet. What was made of them is
+/// kept while the same triangles are read.
+class SourceSheet {
+ public:
+  /// Reads the triangles of a source in a box of its frame, which is not empty, and some others. Triangles
+  /// that are not finite are left out. Allocates nothing while the triangles stay the same.
+  void read(const TriangleSource& source, const Aabb& box);
+
+  bool isEmpty() const { return !sheet_; }
+  /// Unless empty: the sheet, in the source's frame.
+  FeatureContacts::Solid sheet() const { return {sheet_->features, sheet_->mesh}; }
+  const SourceTriangle& triangle(std::uint32_t index) const { return triangles_[index]; }
+
+ private:
+  struct Sheet {
+    explicit Sheet(const std::vector<SourceTriangle>& triangles);
+
+    ClusteredOctree tree;
+    SolidMesh mesh;
+    MeshFeatures features;
+  };
+
+  std::vector<SourceTriangle> triangles_, read_;
+  std::unique_ptr<const Sheet> sheet_;
+};
+
+}  // namespace octoblisk::detail

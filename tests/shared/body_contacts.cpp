@@ -1,0 +1,42 @@
+#include "shared/body_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/brute_force.h"
+#include "shared/solids.h"
+
+namespace octoblisk::testing {
+
+::testing::AssertionResult areContactsOf(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
+                                         double threshold, double not_felt, double noise,
+                                         const std::vector<Contact>& found) {
+  const auto failure = [] { return ::testing::AssertionFailure(); };
+  const std::vector<Contact> all = bruteForceContacts(a, b, b_in_a, threshold + noise);
+  if (all.empty() && !found.empty()) return failure() << found.size() << " contacts where nothing is near";
+  if (all.empty()) return ::testing::AssertionSuccess();
+  const double nearest = deepest(all);
+  if (found.empty()) {
+    if (nearest > threshold - noise) return ::testing::AssertionSuccess();
+    return failure() << "no contact where the distance is " << nearest;
+  }
+  const double least = deepest(found);
+  const bool do_meet = nearest <= 0.0;
+  if (do_meet && least > noise) return failure() << "no contact touches: " << least;
+  if (!do_meet && !(least > 0.99 * nearest - noise && least <= nearest + not_felt + noise))
+    return failure() << "the nearest contact is at " << least << " instead of " << nearest;
+  for (const Contact& contact : found) {
+    const double beside = 0.1 * contact.distance + noise,
+                 of_a = bruteForceDistance(a.triangle(contact.triangle_a), contact.point_on_a),
+                 of_b = bruteForceDistance(b_in_a * b.triangle(contact.triangle_b), contact.point_on_b);
+    if (contact.distance >= 0.0 && (of_a > beside || of_b > beside))
+      return failure() << "points are " << of_a << " and " << of_b
+                       << " from their triangles, at a distance of " << contact.distance;
+    const double along = (contact.point_on_a - contact.point_on_b).dot(contact.normal);
+    if (std::abs(along - contact.distance) > noise || std::abs(contact.normal.norm() - 1.0) > noise)
+      return failure() << "points and normal give " << along << " instead of " << contact.distance;
+  }
+  return ::testing::AssertionSuccess();
+}
+
+}  // namespace octoblisk::testing
