@@ -5,7 +5,6 @@
 
 #include "contact/far_vertices.h"
 #include "contact/feature_contacts.h"
-#include "contact/surface_contacts.h"
 #include "mesh_algorithm.h"
 
 namespace octoblisk::detail {
@@ -29,7 +28,6 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   FarVerticesInSolid far_vertices_;  // of the smaller mesh in the other
   std::vector<Contact> ways_out_;
   FeatureContacts feature_contacts_;
-  SurfaceContacts surface_contacts_;
 };
 
 }  // namespace octoblisk::detail

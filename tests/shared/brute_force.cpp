@@ -73,34 +73,6 @@ std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMes
   return found;
 }
 
-std::vector<Contact> bruteForceContactsAndCorners(const TriangleMesh& a, const TriangleMesh& b,
-                                                  const Pose& b_in_a, double threshold) {
-  constexpr double kSlightTilt = 0.011;
-  const std::vector<Contact> of_pairs = bruteForceContacts(a, b, b_in_a, threshold);
-  std::vector<Contact> all = of_pairs;
-  for (const Contact& contact : of_pairs) {
-    const Triangle in_a = a.triangle(contact.triangle_a), in_b = b_in_a * b.triangle(contact.triangle_b);
-    for (const bool corner_of_a : {true, false}) {
-      const Triangle &corners = corner_of_a ? in_a : in_b, &face = corner_of_a ? in_b : in_a;
-      const Vec3 edge_1 = face[1] - face[0], edge_2 = face[2] - face[0];
-      const Vec3 outward = edge_1.cross(edge_2).normalized();
-      const Vec3 normal = corner_of_a ? outward : Vec3(-outward);
-      if (!((normal - contact.normal).norm() < kSlightTilt)) continue;
-      for (const Vec3& corner : corners) {
-        Mat3 axes;
-        axes << edge_1, edge_2, outward;
-        const Vec3 place = axes.fullPivLu().solve(corner - face[0]);
-        if (place.x() < -1e-9 || place.y() < -1e-9 || place.x() + place.y() > 1.0 + 1e-9) continue;
-        if (place.z() > threshold) continue;
-        const Vec3 foot = corner - place.z() * outward;
-        all.push_back({corner_of_a ? corner : foot, corner_of_a ? foot : corner, normal, place.z(),
-                       contact.triangle_a, contact.triangle_b});
-      }
-    }
-  }
-  return all;
-}
-
 double deepest(const std::vector<Contact>& contacts) {
   return std::ranges::min_element(contacts, {}, &Contact::distance)->distance;
 }

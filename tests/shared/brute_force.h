@@ -18,12 +18,6 @@ double bruteForceDistance(const TriangleMesh& a, const TriangleMesh& b, const Po
 std::vector<Contact> bruteForceContacts(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
                                         double threshold);
 
-/// The same, and contacts of further corners of each pair that has a contact: corners over the other
-/// triangle's face, no farther from it than the threshold, if that contact pushes along the face's outward
-/// normal up to a slight tilt.
-std::vector<Contact> bruteForceContactsAndCorners(const TriangleMesh& a, const TriangleMesh& b,
-                                                  const Pose& b_in_a, double threshold);
-
 /// The least distance of some contacts.
 double deepest(const std::vector<Contact>& contacts);
 

@@ -148,25 +148,4 @@ double bruteForceDistance(const TriangleMesh& mesh, const Vec3& point) {
   return least;
 }
 
-double deepestShortWay(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
-                       const std::vector<Contact>& contacts) {
-  const auto isSquare = [](const Triangle& triangle, const Vec3& direction) {
-    return unitNormal(triangle).cross(direction).norm() < 1e-6;
-  };
-  const auto isShort = [](const TriangleMesh& mesh, const Vec3& pushed, double way) {
-    return windingNumber(mesh, pushed) > 0.25 && bruteForceDistance(mesh, pushed) >= 0.5 * way;
-  };
-  double deepest = 0.0;
-  for (const Contact& contact : contacts) {
-    const double way = -contact.distance;
-    if (!(way > -deepest)) continue;
-    const bool out_of_a = isSquare(a.triangle(contact.triangle_a), contact.normal),
-               out_of_b = isSquare(b_in_a * b.triangle(contact.triangle_b), contact.normal);
-    if (out_of_a && !isShort(a, contact.point_on_b, way)) continue;
-    if (out_of_b && !isShort(b, b_in_a.inverse() * contact.point_on_a, way)) continue;
-    deepest = -way;
-  }
-  return deepest;
-}
-
 }  // namespace octoblisk::testing

@@ -46,10 +46,4 @@ double windingNumber(const TriangleMesh& mesh, const Vec3& point);
 double bruteForceDistance(const TriangleMesh& mesh, const Vec3& point);
 double bruteForceDistance(const Triangle& triangle, const Vec3& point);
 
-/// The least distance, below 0, of those contacts of A and B that push the short way; 0 if none does. A
-/// contact pushes the short way if its point is inside the body that it is pushed out of, and no part of that
-/// body's surface is nearer than half of the push.
-double deepestShortWay(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
-                       const std::vector<Contact>& contacts);
-
 }  // namespace octoblisk::testing

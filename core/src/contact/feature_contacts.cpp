@@ -204,8 +204,8 @@ void FeatureContacts::addWayBack(const MeshFeatures& own, const Pose& own_in_oth
   addCorner(pair, own_in_other * own.position(way.corner), way.normal, way.height);
 }
 
-/// Adds the contacts of corners that are past a sheet by more than the reach: those of triangles that meet the
-/// sheet, and from each of them downhill the first one that can be pushed back.
+/// Adds the contacts of corners that are past a sheet by more than the reach: those of triangles that meet
+/// the sheet, and from each of them downhill the first one that can be pushed back.
 void FeatureContacts::addPastSheets(const MeshFeatures& own, const MeshFeatures& other,
                                     const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
   if (!other.hasSheets()) return;

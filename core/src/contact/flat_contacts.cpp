@@ -1,9 +1,9 @@
 #include "contact/flat_contacts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "contact/shared_corners.h"
 #include "geometry/polygon.h"
 
 namespace octoblisk::detail {
@@ -70,7 +70,7 @@ void addFlatContacts(const TriangleMesh& mesh, const Convex& convex, const Pose&
     cutToFace(shared, number, hull, convex.points());
     for (const Vec3& corner : shared.corners()) {
       // A corner of the triangle is pushed by the face; elsewhere the triangle pushes.
-      const bool is_of_triangle = hasCorner(triangle_in_convex, corner);
+      const bool is_of_triangle = std::ranges::find(triangle_in_convex, corner) != triangle_in_convex.end();
       const Vec3 on_triangle = convex_in_mesh * corner;
       if (is_of_triangle && (on_triangle - of_triangle.point_on_a).squaredNorm() < 1e-12 * facing.norm())
         continue;  // the contact itself

@@ -14,10 +14,17 @@ bool areSmooth(const Vec3& normal_a, const Vec3& normal_b) {
   return normal_a.dot(normal_b) > kSmooth * normal_a.norm() * normal_b.norm();
 }
 
+auto asTuple(const Vec3& position) { return std::tuple(position.x(), position.y(), position.z()); }
+
+bool hasCorner(const Triangle& triangle, const Vec3& position) {
+  return std::ranges::find(triangle, position) != triangle.end();
+}
+
 }  // namespace
 
 void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMesh& mesh) {
   constexpr double kLean = 1e-3;  // a sine
+  const auto byPosition = [](const Corner& corner) { return asTuple(corner.position); };
   if (contacts.size() < 2) return;
   places_.clear();
   places_.reserve(contacts.size());
@@ -34,8 +41,10 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
   if (at_an_angle_.empty()) return;
 
   corners_.clear();
-  const auto triangleOf = [&](std::uint32_t c) -> const Triangle& { return places_[c].triangle; };
-  while (corners_.size() < contacts.size()) corners_.addCorners(triangleOf);
+  for (std::uint32_t c = 0; c < places_.size(); ++c) {
+    for (const Vec3& corner : places_[c].triangle) corners_.push_back({corner, c});
+  }
+  std::ranges::sort(corners_, {}, byPosition);
   std::ranges::sort(at_an_angle_, {}, [&](std::uint32_t c) { return std::tuple(contacts[c].distance, c); });
   for (const std::uint32_t c : at_an_angle_) {
     Place& place = places_[c];
@@ -43,7 +52,9 @@ void InternalEdges::removeFrom(std::vector<Contact>& contacts, const TriangleMes
     const auto [first, second] = endsOf(place.feature);
     const Vec3 &from = triangle[first], &to = triangle[second];
     const double size = (triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm();
-    place.is_internal = corners_.anyAt(from, [&](std::uint32_t other) {
+    const auto at_from = std::ranges::equal_range(corners_, asTuple(from), {}, byPosition);
+    place.is_internal = std::ranges::any_of(at_from, [&](const Corner& corner) {
+      const std::uint32_t other = corner.contact;
       if (!(contacts[other].distance < contacts[c].distance - 1e-9 * size)) return false;
       const Place& shares = places_[other];
       if (!shares.is_internal && !shares.is_perpendicular) return false;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/shared_corners.h"
 #include "octoblisk/contact.h"
 #include "octoblisk/triangle_mesh.h"
 
@@ -34,8 +33,14 @@ class InternalEdges {
     bool is_internal;
   };
 
+  /// A corner of the triangle of a contact.
+  struct Corner {
+    Vec3 position;
+    std::uint32_t contact;
+  };
+
   std::vector<Place> places_;               // per contact
-  SharedCorners corners_;                   // of the triangles of the contacts
+  std::vector<Corner> corners_;             // of the triangles of the contacts, by position
   std::vector<std::uint32_t> at_an_angle_;  // contacts that push so from an edge or a corner, deepest first
 };
 

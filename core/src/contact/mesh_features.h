@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/solid_mesh.h"
+#include "octoblisk/contact.h"
 #include "octoblisk/surface.h"
 #include "simd/box8.h"
 #include "tree/child.h"

@@ -10,9 +10,9 @@
 #include <array>
 #include <span>
 
+#include "octoblisk/contact.h"
 #include "query/distance_search.h"
 #include "query/leaf_pair-inl.h"
-#include "query/near_pair.h"
 #include "simd/lanes.h"
 #include "simd/triangle8-inl.h"
 
@@ -41,79 +41,51 @@ class PairDistances {
   /// Bounds of the true distances; arbitrary beyond the pairs.
   HWY_INLINE DistanceBounds8 bounds() const {
     const Triangle8 of_a = triangles(of_a_), of_b = triangles(of_b_);
-    const Closest closest(of_a, of_b);
+    const Float8 squared = squaredDistance(of_a, of_b);
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
     DistanceBounds8 result;
-    least(of_a, of_b, closest, size, rounding).store(result.least.data());
-    most(closest, size, rounding).store(result.most.data());
+    least(of_a, of_b, squared, size, rounding).store(result.least.data());
+    most(squared, size, rounding).store(result.most.data());
     return result;
   }
 
-  /// Writes those of the pairs that may be within `limit`, and their closest features. Returns their number.
-  HWY_INLINE std::uint32_t nearPairs(float limit, std::array<NearPair, kLanes>& near) const {
+  /// Those of the pairs that may be within `limit`.
+  HWY_INLINE unsigned within(float limit) const {
     const Triangle8 of_a = triangles(of_a_), of_b = triangles(of_b_);
-    const Closest closest(of_a, of_b);
     const Float8 rounding = Float8::load(rounding_.data()), size = Float8(1.0f) / Float8::load(unit_.data());
-    const Float8 apart = least(of_a, of_b, closest, size, rounding);
-    const unsigned far = less(Float8(limit), apart);
-    float which[kLanes], along_a[kLanes], along_b[kLanes], least_distance[kLanes], most_distance[kLanes];
-    closest.which.store(which);
-    closest.along_a.store(along_a);
-    closest.along_b.store(along_b);
-    max(apart, Float8(0.0f)).store(least_distance);
-    most(closest, size, rounding).store(most_distance);
-    std::uint32_t count = 0;
-    for (const std::uint32_t k : Lanes(((1u << count_) - 1u) & ~far)) {
-      near[count++] = {pairs_[k],
-                       Meeting::no,
-                       {static_cast<std::uint8_t>(which[k]), along_a[k], along_b[k]},
-                       least_distance[k],
-                       most_distance[k]};
-    }
-    return count;
+    const Float8 apart = least(of_a, of_b, squaredDistance(of_a, of_b), size, rounding);
+    return ((1u << count_) - 1u) & ~less(Float8(limit), apart);
   }
 
  private:
   using Corners = std::array<std::array<float, kLanes>, 9>;  // [3 · corner + coordinate][pair]
 
-  /// The squared distances, up to rounding, and the closest features (near_pair.h).
-  struct Closest {
-    Float8 squared = Float8(1e38f), which = Float8(0.0f), along_a = Float8(0.0f), along_b = Float8(0.0f);
-
-    HWY_INLINE Closest(const Triangle8& of_a, const Triangle8& of_b) {
-      const Float8 corner(0.0f);
-      for (int v = 0; v < 3; ++v) {
-        for (int w = 0; w < 3; ++w) {
-          const auto edges = closestOnSegments(of_a.edge[v], of_b.edge[w], of_a.corner[v] - of_b.corner[w]);
-          keepCloser(edges.squared, ClosestFeatures::ofEdges(v, w), edges.s, edges.t);
-        }
-        keepCloser(squaredFaceDistance(of_a.corner[v], of_b), ClosestFeatures::ofCornerOfA(v), corner,
-                   corner);
-        keepCloser(squaredFaceDistance(of_b.corner[v], of_a), ClosestFeatures::ofCornerOfB(v), corner,
-                   corner);
+  /// Up to rounding.
+  static HWY_INLINE Float8 squaredDistance(const Triangle8& of_a, const Triangle8& of_b) {
+    Float8 squared(1e38f);
+    for (int v = 0; v < 3; ++v) {
+      for (int w = 0; w < 3; ++w) {
+        const Vec8 between = of_a.corner[v] - of_b.corner[w];
+        squared = min(squared, closestOnSegments(of_a.edge[v], of_b.edge[w], between).squared);
       }
+      squared = min(squared, squaredFaceDistance(of_a.corner[v], of_b));
+      squared = min(squared, squaredFaceDistance(of_b.corner[v], of_a));
     }
-
-    HWY_INLINE void keepCloser(const Float8& other, int features, const Float8& s, const Float8& t) {
-      which = select(other, squared, Float8(static_cast<float>(features)), which);
-      along_a = select(other, squared, s, along_a);
-      along_b = select(other, squared, t, along_b);
-      squared = min(squared, other);
-    }
-  };
+    return squared;
+  }
 
   /// Lower bounds of the true distances. If segments are nearly parallel, rounding moves the closest points
   /// along them. At worst, when the sine is about the root of the rounding error, this loses 60 units in the
   /// last place of their squared length.
-  static HWY_INLINE Float8 least(const Triangle8& of_a, const Triangle8& of_b, const Closest& closest,
+  static HWY_INLINE Float8 least(const Triangle8& of_a, const Triangle8& of_b, const Float8& squared,
                                  const Float8& size, const Float8& rounding) {
     const Float8 lost = Float8(0x1p-18f) * max(of_a.longest, of_b.longest);
-    return (sqrt(max(closest.squared - lost, Float8(0.0f))) - max(of_a.thin, of_b.thin)) * size - rounding;
+    return (sqrt(max(squared - lost, Float8(0.0f))) - max(of_a.thin, of_b.thin)) * size - rounding;
   }
 
   /// Upper bounds of the true distances.
-  static HWY_INLINE Float8 most(const Closest& closest, const Float8& size, const Float8& rounding) {
-    return sqrt(closest.squared) * size + rounding;
+  static HWY_INLINE Float8 most(const Float8& squared, const Float8& size, const Float8& rounding) {
+    return sqrt(squared) * size + rounding;
   }
 
   HWY_INLINE Triangle8 triangles(const Corners& corners) const {
