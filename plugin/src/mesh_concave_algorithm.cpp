@@ -105,13 +105,12 @@ void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double re
   found.clear();
   const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
   const Pose& other_in_mesh = shapes.other_in_mesh;
-  const SolidMesh solid = shapes.mesh.solid();
-  sheet_.read(
-      source,
-      boundsOf((other_in_mesh.inverse() * obbOf(solid.boundary().mesh().bounds())).corners()).grown(reach));
+  sheet_.read(source,
+              boundsOf((other_in_mesh.inverse() * obbOf(shapes.treeOfMesh().mesh().bounds())).corners())
+                  .grown(reach));
   if (sheet_.isEmpty()) return;
-  feature_contacts_.find({shapes.mesh.features(), solid}, sheet_.sheet(), orthonormal(other_in_mesh), reach,
-                         shapes.breaking, shapes.other_when_apart, found);
+  feature_contacts_.find(shapes.mesh.features(), sheet_.features(), orthonormal(other_in_mesh),
+                         shapes.other_when_apart, reach, shapes.breaking, found);
 }
 
 }  // namespace octoblisk::detail

@@ -4,6 +4,7 @@
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 
+#include "contact/feature_contacts.h"
 #include "contact/source_sheet.h"
 #include "mesh_algorithm.h"
 #include "octoblisk/source_contacts.h"

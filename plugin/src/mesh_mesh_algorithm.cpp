@@ -31,8 +31,8 @@ void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach
                                          std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
-  feature_contacts_.find({shape_a.features(), shape_a.solid()}, {shape_b.features(), shape_b.solid()},
-                         orthonormal(b_in_a), reach, shapes.breaking, shapes.other_when_apart, found);
+  feature_contacts_.find(shape_a.features(), shape_b.features(), orthonormal(b_in_a), shapes.other_when_apart,
+                         reach, shapes.breaking, found);
   // Far vertices that are deeper than `reach` get contacts of their own.
   addWaysOut(shape_a, shape_b, b_in_a, reach, found);
 }

@@ -120,14 +120,13 @@ TEST(Allocation, warmQueriesOfForeignBodiesAllocateNothing) {
 TEST(Allocation, warmQueriesOfFeaturesAllocateNothing) {
   const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
   const MeshFeatures features({ring, SolidMesh::Kind::simple});
-  const FeatureContacts::Solid solid{features, SolidMesh(ring, SolidMesh::Kind::simple)};
   FeatureContacts query;
   std::vector<Contact> found;
   std::size_t hits = 0;
   const auto queryAll = [&] {
     std::mt19937_64 random(65);
     for (int i = 0; i < 50; ++i) {
-      query.find(solid, solid, testing::randomPose(random, 1.2), 0.05, 0.05, {}, found);
+      query.find(features, features, testing::randomPose(random, 1.2), {}, 0.05, 0.05, found);
       hits += found.empty() ? 0 : 1;
     }
   };
@@ -141,7 +140,6 @@ TEST(Allocation, warmQueriesOfFeaturesAllocateNothing) {
 TEST(Allocation, warmQueriesOfSheetsAllocateNothing) {
   const ClusteredOctree ring = ClusteredOctree::build(testing::torus(0.5, 0.15, 20, 12));
   const MeshFeatures features({ring, SolidMesh::Kind::simple});
-  const FeatureContacts::Solid solid{features, SolidMesh(ring, SolidMesh::Kind::simple)};
   const testing::SharedMesh fan = testing::fan(9, 12);
   const testing::MeshSource source(*fan);
   SourceSheet sheet;
@@ -153,8 +151,9 @@ TEST(Allocation, warmQueriesOfSheetsAllocateNothing) {
     for (int i = 0; i < 50; ++i) {
       const Pose pose = testing::randomPose(random, 1.2);
       sheet.read(source, fan->bounds());
-      query.find(solid, sheet.sheet(), pose, 0.05, 0.05, {}, found);
-      query.find(solid, sheet.sheet(), pose, 0.05, 0.05, Pose{pose.rotation, 1.1 * pose.translation}, found);
+      query.find(features, sheet.features(), pose, {}, 0.05, 0.05, found);
+      query.find(features, sheet.features(), pose, Pose{pose.rotation, 1.1 * pose.translation}, 0.05, 0.05,
+                 found);
       hits += found.empty() ? 0 : 1;
     }
   };

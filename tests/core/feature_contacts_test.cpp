@@ -31,14 +31,10 @@ namespace {
 using testing::boxMesh;
 
 struct Body {
-  explicit Body(testing::SharedMesh shared)
-      : solid(std::move(shared)),
-        features(SolidMesh(solid.surface)),
-        of({features, SolidMesh(solid.surface)}) {}
+  explicit Body(testing::SharedMesh shared) : solid(std::move(shared)), features(SolidMesh(solid.surface)) {}
 
   Solid solid;
   MeshFeatures features;
-  FeatureContacts::Solid of;
 };
 
 Pose at(const Vec3& position, const Vec3& rotation_vector = Vec3::Zero()) {
@@ -50,7 +46,7 @@ Pose at(const Vec3& position, const Vec3& rotation_vector = Vec3::Zero()) {
 
 std::vector<Contact> contactsOf(const Body& a, const Body& b, const Pose& b_in_a, double reach = 1e-2) {
   std::vector<Contact> found;
-  FeatureContacts().find(a.of, b.of, b_in_a, reach, reach, {}, found);
+  FeatureContacts().find(a.features, b.features, b_in_a, {}, reach, reach, found);
   return found;
 }
 
@@ -155,7 +151,7 @@ TEST(FeatureContacts, ofTetrahedraThatAreApartDoNotOverlap) {
     const Clearance start = distance(a.solid.tree, b.solid.tree, pose);
     pose.translation += (1.0 - testing::uniform(random, -0.01, 0.02) / start.distance) *
                         (start.point_on_a - start.point_on_b);
-    contacts.find(a.of, b.of, pose, 0.05, 0.05, {}, found);
+    contacts.find(a.features, b.features, pose, {}, 0.05, 0.05, found);
     const bool do_meet = !testing::bruteForcePairs(*a.solid.mesh, *b.solid.mesh, pose).empty();
     ++(do_meet ? meet : apart);
     if (do_meet) continue;
@@ -240,7 +236,7 @@ TEST(FeatureContacts, ofRandomBodies_vs_bruteForce) {
     const Clearance start = distance(a.solid.tree, b.solid.tree, pose);
     pose.translation += (1.0 - testing::uniform(random, -0.12, 0.12) / start.distance) *
                         (start.point_on_a - start.point_on_b);
-    contacts.find(a.of, b.of, pose, kReach, kSpacing, {}, found);
+    contacts.find(a.features, b.features, pose, {}, kReach, kSpacing, found);
     const double exact = testing::bruteForceDistance(*a.solid.mesh, *b.solid.mesh, pose);
     const bool meet = !testing::bruteForcePairs(*a.solid.mesh, *b.solid.mesh, pose).empty();
     double least = std::numeric_limits<double>::infinity();
@@ -486,7 +482,7 @@ TEST(InsideCorners, ofRandomBodies_vs_locate) {
       for (const std::uint32_t corner : b.features.cornersOf(pair.b)) seeds.push_back(corner);
     }
     if (seeds.empty()) continue;
-    inside.find(b.features, pose, a.of.mesh, Pose(), seeds);
+    inside.find(b.features, pose, a.features.solid(), Pose(), seeds);
     for (std::uint32_t corner = 0; corner < b.features.cornerCount(); ++corner) {
       const bool is_inside =
           locate(a.solid.surface, pose * b.features.position(corner)) == PointLocation::inside;

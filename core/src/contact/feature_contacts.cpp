@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "geometry/triangle_pair.h"
-#include "octoblisk/closest_point.h"
 #include "octoblisk/distance.h"
-#include "octoblisk/raycast.h"
 
 namespace octoblisk::detail {
 namespace {
@@ -55,193 +54,30 @@ bool leadsOut(const std::array<Vec3, 2>& normals, const Vec3& direction) {
 
 }  // namespace
 
-/// Adds a contact whose A is the corner's mesh.
-void FeatureContacts::addCorner(const CornerAndFace& pair, const Vec3& point, const Vec3& normal,
-                                double height) {
-  contacts_.push_back({point, point - height * normal, normal, height, pair.triangle, pair.face});
-}
-
-/// Adds the contacts of corners with the faces of the other mesh, in its frame.
-void FeatureContacts::addCorners(const PosedSolid& own, const PosedSolid& other,
-                                 std::span<const CornerAndFace> pairs,
-                                 std::uint32_t TrianglePair::*own_triangle) {
-  const MeshFeatures& features = own.features;
-  const TriangleMesh& faces = other.features.tree().mesh();
-  const Pose own_in_other = other.in_a.inverse() * own.in_a;
-  const Mat3 turn = own_in_other.rotation.transpose();
-  if (least_height_.size() < features.cornerCount()) least_height_.resize(features.cornerCount(), kFar);
-  pushes_.clear();
-  own_in_other_ = own_in_other;
-  before_in_other_ =
-      knows_before_ ? std::optional(other.before_in_a.inverse() * own.before_in_a) : std::nullopt;
-  for (const CornerAndFace& pair : pairs) {
-    const Triangle face = faces.triangle(pair.face);
-    const Vec3 normal = unitNormal(face), point = own_in_other * features.position(pair.corner);
-    if (normal.isZero(0.0)) continue;
-    const double height = normal.dot(point - face[0]);
-    const auto isPushedAlong = [&](const Vec3& direction) {
-      return features.isPushedAlong(pair.corner, turn * direction);
-    };
-    if (other.features.isSheet(pair.face)) {
-      const double here = std::copysign(1.0, height),
-                   side = near_.meeting.empty() ? here : sideOf(features, pair.corner, face[0], normal);
-      for (const double sense : {side, here, -here}) {
-        const double over = sense * height;
-        if (over < -not_felt_ && (near_.meeting.empty() || sense != side)) continue;
-        if (!isPushedAlong(sense * normal)) continue;
-        addCorner(pair, point, sense * normal, over);
-        break;
-      }
-      continue;
-    }
-    if (!isPushedAlong(normal)) continue;
-    double& least = least_height_[pair.corner];
-    if (std::abs(height) < std::abs(least)) least = height;
-    if (height >= -not_felt_ && height <= reach_) pushes_.push_back({pair, point, normal, height});
+void FeatureContacts::addCorners(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                                 const std::optional<Pose>& b_when_apart) {
+  const Pose a_in_b = b_in_a.inverse();
+  std::optional<Pose> a_when_apart;
+  if (b_when_apart) a_when_apart = b_when_apart->inverse();
+  for (const Contact& c : corners_.find({a, b, Pose(), b_in_a, a_in_b, a_when_apart, near_.corners_of_a,
+                                         near_.meeting, &TrianglePair::a, &TrianglePair::b},
+                                        reach_, not_felt_)) {
+    contacts_.push_back({b_in_a * c.point_on_a, b_in_a * c.point_on_b, b_in_a.rotation * c.normal, c.distance,
+                         c.triangle_a, c.triangle_b});
   }
-  findInside(own, other, pairs, own_triangle);
-  const auto isDeep = [&](std::uint32_t corner) {
-    return inside_.contains(corner) && !(std::abs(least_height_[corner]) <= not_felt_);
-  };
-  for (const auto& [pair, point, normal, height] : pushes_) {
-    if (!isDeep(pair.corner)) addCorner(pair, point, normal, height);
-  }
-  ways_back_.clear();
-  for (const std::uint32_t corner : inside_.corners()) {
-    if (isDeep(corner)) addWayOut(features, other.features, own_in_other, corner);
-  }
-  addWaysBack(features, other.features, own_in_other, own_triangle);
-  addPastSheets(features, other.features, own_in_other, own_triangle);
-  for (const CornerAndFace& pair : pairs) least_height_[pair.corner] = kFar;
-}
-
-/// Finds the corners inside the other solid. No corner is inside if no triangles meet.
-void FeatureContacts::findInside(const PosedSolid& own, const PosedSolid& other,
-                                 std::span<const CornerAndFace> pairs,
-                                 std::uint32_t TrianglePair::*own_triangle) {
-  seeds_.clear();
-  if (!near_.meeting.empty()) {
-    for (const TrianglePair& pair : near_.meeting) {
-      for (const std::uint32_t corner : own.features.cornersOf(pair.*own_triangle)) seeds_.push_back(corner);
-    }
-    for (const CornerAndFace& pair : pairs) {
-      if (least_height_[pair.corner] < -not_felt_) seeds_.push_back(pair.corner);
-    }
-  }
-  inside_.find(own.features, own.in_a, other.mesh, other.in_a, seeds_);
-}
-
-/// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
-/// the corner. If not, the corner may be past the middle of a thin part, or under a face near its rim.
-void FeatureContacts::addWayOut(const MeshFeatures& own, const MeshFeatures& other, const Pose& own_in_other,
-                                std::uint32_t corner) {
-  const Vec3 point = own_in_other * own.position(corner);
-  const ClosestPoint out = *closestPoint(other.tree(), point);
-  const Vec3 normal = out.distance > not_felt_ ? Vec3((out.point - point) / out.distance)
-                                               : unitNormal(other.tree().mesh().triangle(out.triangle));
-  if (!normal.isZero(0.0) && own.isPushedAlong(corner, own_in_other.rotation.transpose() * normal)) {
-    addCorner({corner, own.triangleAt(corner), out.triangle}, point, normal, -out.distance);
-  } else {
-    ways_back_.push_back({corner, normal});
-  }
-}
-
-/// 1 if a corner belongs above a plane of a sheet in the other mesh, -1 if below: where it was when the
-/// meshes were last apart. If that is not known, where the middle of its mesh is.
-double FeatureContacts::sideOf(const MeshFeatures& own, std::uint32_t corner, const Vec3& on_plane,
-                               const Vec3& normal) const {
-  const auto height = [&](const Pose& pose, const Vec3& point) {
-    return normal.dot(pose * point - on_plane);
-  };
-  const double before = before_in_other_ ? height(*before_in_other_, own.position(corner)) : 0.0;
-  if (std::abs(before) > not_felt_) return std::copysign(1.0, before);
-  const Vec3 middle = own.tree().mesh().bounds().center();
-  return std::copysign(1.0, height(before_in_other_.value_or(own_in_other_), middle));
-}
-
-/// Takes a way back of a corner straight along a unit vector if it is shorter than the one known: to the
-/// first face of the other mesh that can push the corner there.
-void FeatureContacts::shortenWayBack(const MeshFeatures& own, const MeshFeatures& other,
-                                     const Pose& own_in_other, const Vec3& out, CornerWayBack& way) {
-  const Mat3 turn = own_in_other.rotation.transpose();
-  const auto hit = closestHit(other.tree(), {own_in_other * own.position(way.corner), out, way.length});
-  if (!hit) return;
-  const bool is_of_sheet = other.isSheet(hit->triangle);
-  const Vec3 normal = is_of_sheet ? out : hit->normal;
-  if (!is_of_sheet && !(hit->back_face && own.isPushedAlong(way.corner, turn * normal))) return;
-  if (std::tuple(hit->t, hit->triangle) >= std::tuple(way.length, way.face)) return;
-  way.face = hit->triangle;
-  way.length = hit->t;
-  way.normal = normal;
-  way.height = -hit->t * out.dot(normal);
-}
-
-/// Adds the contacts of corners that the nearest point cannot push. Each comes out along the normal of a face
-/// that a triangle at the corner meets and that does not face the way to the nearest point: others push that
-/// way. If there are several such normals, it is the shortest way.
-void FeatureContacts::addWaysBack(const MeshFeatures& own, const MeshFeatures& other,
-                                  const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
-  if (ways_back_.empty()) return;
-  const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
-  std::ranges::sort(ways_back_, {}, &CornerWayBack::corner);
-  for (const TrianglePair& pair : near_.meeting) {
-    const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*other_triangle));
-    for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
-      const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &CornerWayBack::corner);
-      if (way == ways_back_.end() || way->corner != corner || out.dot(way->to_nearest) > kAlike ||
-          !own.isPushedAlong(corner, own_in_other.rotation.transpose() * out))
-        continue;
-      shortenWayBack(own, other, own_in_other, out, *way);
-    }
-  }
-  for (const CornerWayBack& way : ways_back_) addWayBack(own, own_in_other, way);
-}
-
-void FeatureContacts::addWayBack(const MeshFeatures& own, const Pose& own_in_other,
-                                 const CornerWayBack& way) {
-  if (way.face == kNoTriangle) return;
-  const CornerAndFace pair{way.corner, own.triangleAt(way.corner), way.face};
-  addCorner(pair, own_in_other * own.position(way.corner), way.normal, way.height);
-}
-
-/// Adds the contacts of corners that are past a sheet by more than the reach: those of triangles that meet
-/// the sheet, and from each of them downhill the first one that can be pushed back.
-void FeatureContacts::addPastSheets(const MeshFeatures& own, const MeshFeatures& other,
-                                    const Pose& own_in_other, std::uint32_t TrianglePair::*own_triangle) {
-  if (!other.hasSheets()) return;
-  const auto other_triangle = own_triangle == &TrianglePair::a ? &TrianglePair::b : &TrianglePair::a;
-  const Mat3 turn = own_in_other.rotation.transpose();
-  past_.clear();
-  for (const TrianglePair& pair : near_.meeting) {
-    if (!other.isSheet(pair.*other_triangle)) continue;
-    const Triangle face = other.tree().mesh().triangle(pair.*other_triangle);
-    const Vec3 normal = unitNormal(face);
-    for (const std::uint32_t corner : own.cornersOf(pair.*own_triangle)) {
-      const Vec3 out = sideOf(own, corner, face[0], normal) * normal, out_of_own = turn * out;
-      if (!(out.dot(own_in_other * own.position(corner) - face[0]) < 0.0)) continue;
-      for (std::uint32_t past = corner; past != kNoIndex; past = own.neighbourAgainst(past, out_of_own)) {
-        const bool is_pushed = own.isPushedAlong(past, out_of_own);
-        if (is_pushed || past == corner) past_.push_back({past, out});
-        if (is_pushed) break;
-      }
-    }
-  }
-  std::ranges::sort(past_, {}, [](const PastCorner& past) {
-    return std::tuple(past.corner, past.out.x(), past.out.y(), past.out.z());
-  });
-  const auto areAlike = [](const PastCorner& a, const PastCorner& b) {
-    return a.corner == b.corner && a.out.cross(b.out).norm() <= kAlike && a.out.dot(b.out) > 0.0;
-  };
-  past_.erase(std::unique(past_.begin(), past_.end(), areAlike), past_.end());
-  for (const auto& [corner, out] : past_) {
-    CornerWayBack way{corner, Vec3::Zero()};
-    shortenWayBack(own, other, own_in_other, out, way);
-    addWayBack(own, own_in_other, way);
+  for (const Contact& c : corners_.find({b, a, b_in_a, Pose(), b_in_a, b_when_apart, near_.corners_of_b,
+                                         near_.meeting, &TrianglePair::b, &TrianglePair::a},
+                                        reach_, not_felt_)) {
+    contacts_.push_back({c.point_on_b, c.point_on_a, -c.normal, c.distance, c.triangle_b, c.triangle_a});
   }
 }
 
 void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
-                               const Pose& b_before) {
+                               const std::optional<Pose>& b_when_apart) {
+  const bool do_meet = !near_.meeting.empty();
+  const auto isOfSheet = [](const MeshFeatures& mesh, const SharpEdge& edge) {
+    return mesh.hasSheets() && mesh.isSheet(mesh.triangleOf(edge));
+  };
   const SharpEdge* last = nullptr;
   PosedEdge of_a;
   for (const EdgeAndEdge& pair : near_.edges) {
@@ -255,36 +91,31 @@ void FeatureContacts::addEdges(const MeshFeatures& a, const MeshFeatures& b, con
     if (!(squared_sine > kParallel * kParallel * aa * bb)) continue;
     const double s = (ab * db - bb * da) / squared_sine, t = (aa * db - ab * da) / squared_sine;
     if (!(s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0)) continue;
-    Vec3 normal = of_a.along.cross(of_b.along).normalized();
-    double distance = normal.dot(between);
+    const Vec3 across = of_a.along.cross(of_b.along).normalized();
+    const double distance = across.dot(between);
     if (!(std::abs(distance) <= reach_)) continue;
     const auto normals_of_a = normalsOf(*pair.of_a, a, Mat3::Identity()),
                normals_of_b = normalsOf(*pair.of_b, b, b_in_a.rotation);
-    const auto arePushed = [&] {
-      return isBetween(normals_of_b, of_b.along, normal) && isBetween(normals_of_a, of_a.along, -normal);
-    };
-    if (distance < 0.0) normal = -normal, distance = -distance;
-    if (knows_before_ && !near_.meeting.empty() &&
-        (a.isSheet(a.triangleOf(*pair.of_a)) || b.isSheet(b.triangleOf(*pair.of_b)))) {
-      const double before = normal.dot(of_a.from - b_before * (b_in_a.inverse() * of_b.from));
-      if (before < -not_felt_) {
-        normal = -normal, distance = -distance;
-        if (!arePushed()) normal = -normal, distance = -distance;
-      }
+    const bool is_sheet_a = isOfSheet(a, *pair.of_a), is_sheet_b = isOfSheet(b, *pair.of_b);
+    const double here = std::copysign(1.0, distance);
+    double side = here;  // where the edges of sheets belong
+    if (do_meet && b_when_apart && (is_sheet_a || is_sheet_b)) {
+      const double before = across.dot(of_a.from - *b_when_apart * (b_in_a.inverse() * of_b.from));
+      if (std::abs(before) > not_felt_) side = std::copysign(1.0, before);
     }
-    if (!arePushed()) {
-      normal = -normal, distance = -distance;
-      const auto leadsOutOf = [](const MeshFeatures& mesh, const SharpEdge& edge, const auto& normals,
-                                 const Vec3& direction) {
-        return mesh.isSheet(mesh.triangleOf(edge)) || leadsOut(normals, direction);
-      };
-      const bool may_overlap = !near_.meeting.empty() && leadsOutOf(b, *pair.of_b, normals_of_b, normal) &&
-                               leadsOutOf(a, *pair.of_a, normals_of_a, -normal);
-      if (!arePushed() || (distance < 0.0 && !may_overlap)) continue;
+    for (const double sense : {side, here, -here}) {
+      const Vec3 normal = sense * across;
+      if (!isBetween(normals_of_b, of_b.along, normal) || !isBetween(normals_of_a, of_a.along, -normal))
+        continue;
+      const bool may_overlap = do_meet && (is_sheet_a || leadsOut(normals_of_a, -normal)) &&
+                               (is_sheet_b || leadsOut(normals_of_b, normal));
+      const double over = sense * distance;
+      if (over < 0.0 && !may_overlap) continue;
+      const Vec3 point = of_a.from + s * of_a.along;
+      contacts_.push_back(
+          {point, point - over * normal, normal, over, a.triangleOf(*pair.of_a), b.triangleOf(*pair.of_b)});
+      break;
     }
-    const Vec3 point = of_a.from + s * of_a.along, point_on_b = point - distance * normal;
-    contacts_.push_back(
-        {point, point_on_b, normal, distance, a.triangleOf(*pair.of_a), b.triangleOf(*pair.of_b)});
   }
 }
 
@@ -361,7 +192,7 @@ void FeatureContacts::addCrossing(const TrianglePair& pair) {
 /// If the nearest points of the surfaces are much nearer than all contacts, adds theirs. If triangles meet,
 /// and no other contact says so, its distance is 0.
 void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a) {
-  double least = kFar;
+  double least = std::numeric_limits<double>::infinity();
   for (const Contact& contact : contacts_) least = std::min(least, contact.distance);
   if (least <= (near_.meeting.empty() ? not_felt_ : 0.0)) return;
   if (!near_.meeting.empty()) {
@@ -380,31 +211,15 @@ void FeatureContacts::addNearest(const MeshFeatures& a, const MeshFeatures& b, c
                        nearest.triangle_a, nearest.triangle_b});
 }
 
-void FeatureContacts::find(const Solid& solid_a, const Solid& solid_b, const Pose& b_in_a, double reach,
-                           double spacing, const std::optional<Pose>& before, std::vector<Contact>& found) {
-  const MeshFeatures &a = solid_a.features, &b = solid_b.features;
-  knows_before_ = before.has_value();
-  const PosedSolid posed_a{a, solid_a.mesh, Pose(), Pose()},
-      posed_b{b, solid_b.mesh, b_in_a, before.value_or(b_in_a)};
+void FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                           const std::optional<Pose>& b_when_apart, double reach, double spacing,
+                           std::vector<Contact>& found) {
   reach_ = reach;
   not_felt_ = spacing / 40.0;  // contacts are as far apart as the spacing, so this tilts a body by 1/40
   contacts_.clear();
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
-  addCorners(posed_a, posed_b, near_.corners_of_a, &TrianglePair::a);
-  for (Contact& contact : contacts_) {  // from B's frame to A's
-    contact.point_on_a = b_in_a * contact.point_on_a;
-    contact.point_on_b = b_in_a * contact.point_on_b;
-    contact.normal = b_in_a.rotation * contact.normal;
-  }
-  const std::size_t of_a = contacts_.size();
-  addCorners(posed_b, posed_a, near_.corners_of_b, &TrianglePair::b);
-  for (std::size_t c = of_a; c < contacts_.size(); ++c) {  // these are of B and A
-    Contact& contact = contacts_[c];
-    std::swap(contact.point_on_a, contact.point_on_b);
-    std::swap(contact.triangle_a, contact.triangle_b);
-    contact.normal = -contact.normal;
-  }
-  addEdges(a, b, b_in_a, before.value_or(b_in_a));
+  addCorners(a, b, b_in_a, b_when_apart);
+  addEdges(a, b, b_in_a, b_when_apart);
   addCrossings(a, b, b_in_a, countUnfelt(a, b));
   addNearest(a, b, b_in_a);
   found.assign(contacts_.begin(), contacts_.end());

@@ -59,14 +59,9 @@ double angleAt(const Triangle& triangle, std::size_t v) {
 
 }  // namespace
 
-MeshFeatures::MeshFeatures(const SolidMesh& solid) : tree_(&solid.boundary()) {
-  for (std::uint32_t t = 0; t < tree_->mesh().triangleCount(); ++t) {
-    if (solid.boundsSolid(t)) continue;
-    is_sheet_.resize(tree_->mesh().triangleCount());
-    is_sheet_[t] = true;
-  }
-  const Surface surface(*tree_, Surface::OnlyConnected());
-  leaves_.resize(treeOf(*tree_).nodeCount() * kLanes);
+MeshFeatures::MeshFeatures(const SolidMesh& solid) : solid_(solid), has_sheets_(!solid.boundsEverywhere()) {
+  const Surface surface(tree(), Surface::OnlyConnected());
+  leaves_.resize(treeOf(tree()).nodeCount() * kLanes);
   listCorners(surface);
   listEdges(surface);
   describeLeaves(surface);
@@ -74,13 +69,13 @@ MeshFeatures::MeshFeatures(const SolidMesh& solid) : tree_(&solid.boundary()) {
 }
 
 void MeshFeatures::listCorners(const Surface& surface) {
-  const auto& order = treeOf(*tree_).triangleOrder();
-  const auto& triangles = tree_->mesh().triangles();
+  const auto& order = treeOf(tree()).triangleOrder();
+  const auto& triangles = tree().mesh().triangles();
   std::vector<std::uint32_t> number(surface.cornerCount(), kNoIndex), listed;  // corners of the surface
   vertex_.reserve(surface.cornerCount());
   triangle_.reserve(surface.cornerCount());
   listed.reserve(surface.cornerCount());
-  corner_.assign(tree_->mesh().vertices().size(), kNoIndex);
+  corner_.assign(tree().mesh().vertices().size(), kNoIndex);
   corners_at_.assign(order.size(), 0);
   for (std::uint32_t place = 0; place < order.size(); ++place) {
     for (std::uint32_t v = 0; v < 3; ++v) {
@@ -112,7 +107,7 @@ void MeshFeatures::gatherNeighbours(const Surface& surface, std::uint32_t corner
     is_of_sheet |= isSheet(triangle);
     const auto& corners = surface.corners(triangle);
     const auto v = static_cast<std::size_t>(std::ranges::find(corners, corner_of_surface) - corners.begin());
-    const Triangle positions = tree_->mesh().triangle(triangle);
+    const Triangle positions = tree().mesh().triangle(triangle);
     const double angle = angleAt(positions, v);
     normal += angle * unitNormal(positions);
     angles += angle;
@@ -128,8 +123,8 @@ void MeshFeatures::gatherNeighbours(const Surface& surface, std::uint32_t corner
 }
 
 void MeshFeatures::listEdges(const Surface& surface) {
-  const Tree& tree = treeOf(*tree_);
-  const TriangleMesh& mesh = tree_->mesh();
+  const Tree& tree = treeOf(solid_.boundary());
+  const TriangleMesh& mesh = tree.mesh();
   forEachChild(tree.arrays(), [&](Slot slot, Child child) {
     if (!child.isLeaf()) return;
     LeafFeatures& leaf = leaves_[slot.node * kLanes + slot.lane];
@@ -158,7 +153,7 @@ void MeshFeatures::listEdges(const Surface& surface) {
 }
 
 void MeshFeatures::describeLeaves(const Surface& surface) {
-  const Tree& tree = treeOf(*tree_);
+  const Tree& tree = treeOf(solid_.boundary());
   std::vector<Vec3> normals;
   forEachChild(tree.arrays(), [&](Slot slot, Child child) {
     if (!child.isLeaf()) return;
@@ -170,7 +165,7 @@ void MeshFeatures::describeLeaves(const Surface& surface) {
       for (const std::uint32_t v : Lanes(cornersAt(place))) {
         leaf.corners_begin = std::min(leaf.corners_begin, cornersOf(triangle)[v]);
         for (const std::uint32_t around : surface.star(surface.corners(triangle)[v]))
-          normals.push_back(unitNormal(tree_->mesh().triangle(around)));
+          normals.push_back(unitNormal(tree.mesh().triangle(around)));
       }
     }
     if (!hasSheets()) leaf.against = coneAround(normals, kLean);
@@ -178,7 +173,7 @@ void MeshFeatures::describeLeaves(const Surface& surface) {
 }
 
 void MeshFeatures::findReaches() {
-  const Tree& tree = treeOf(*tree_);
+  const Tree& tree = treeOf(solid_.boundary());
   struct Box {
     Slot slot;
     Mat3 axes;
@@ -214,7 +209,7 @@ void MeshFeatures::findReaches() {
 }
 
 std::uint32_t MeshFeatures::triangleOf(const SharpEdge& edge) const {
-  return treeOf(*tree_).triangleOrder()[edge.place];
+  return treeOf(tree()).triangleOrder()[edge.place];
 }
 
 bool MeshFeatures::isPushedAlong(std::uint32_t corner, const Vec3& direction) const {

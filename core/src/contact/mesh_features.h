@@ -53,16 +53,17 @@ class MeshFeatures {
   /// Those of the boundary. What the solid refers to must outlive it.
   explicit MeshFeatures(const SolidMesh& solid);
 
-  const ClusteredOctree& tree() const { return *tree_; }
+  const SolidMesh& solid() const { return solid_; }
+  const ClusteredOctree& tree() const { return solid_.boundary(); }
 
-  bool hasSheets() const { return !is_sheet_.empty(); }
+  bool hasSheets() const { return has_sheets_; }
   /// Whether a triangle bounds no solid, so that both its sides can be touched.
-  bool isSheet(std::uint32_t triangle) const { return hasSheets() && is_sheet_[triangle]; }
+  bool isSheet(std::uint32_t triangle) const { return has_sheets_ && !solid_.boundsSolid(triangle); }
 
   std::size_t cornerCount() const { return vertex_.size(); }
-  const Vec3& position(std::uint32_t corner) const { return tree_->mesh().vertices()[vertex_[corner]]; }
+  const Vec3& position(std::uint32_t corner) const { return tree().mesh().vertices()[vertex_[corner]]; }
   std::array<std::uint32_t, 3> cornersOf(std::uint32_t triangle) const {
-    const auto& vertices = tree_->mesh().triangles()[triangle];
+    const auto& vertices = tree().mesh().triangles()[triangle];
     return {corner_[vertices[0]], corner_[vertices[1]], corner_[vertices[2]]};
   }
   /// One triangle at a corner.
@@ -97,14 +98,14 @@ class MeshFeatures {
   void describeLeaves(const Surface& surface);
   void findReaches();
 
-  const ClusteredOctree* tree_;
+  SolidMesh solid_;
+  bool has_sheets_;
   std::vector<std::uint32_t> corner_;            // per vertex of the mesh
   std::vector<std::uint8_t> corners_at_;         // per place
   std::vector<std::uint32_t> vertex_;            // per corner: one vertex at its position
   std::vector<std::uint32_t> triangle_;          // per corner: the one with which it is listed
   std::vector<std::uint32_t> neighbours_begin_;  // per corner
   std::vector<std::uint32_t> neighbours_;
-  std::vector<bool> is_sheet_;            // per triangle; empty if all bound a solid
   std::vector<Eigen::Vector3f> normals_;  // per corner: the mean normal of its triangles; zero at sheets
   std::vector<SharpEdge> edges_;
   std::vector<NodeReach> reaches_;    // per node

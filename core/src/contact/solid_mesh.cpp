@@ -1,5 +1,8 @@
 #include "contact/solid_mesh.h"
 
+#include <algorithm>
+#include <ranges>
+
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
 #include "query/solid_parts.h"
@@ -14,10 +17,15 @@ bool SolidMesh::boundsSolid(std::uint32_t triangle) const {
 }
 
 bool SolidMesh::boundsAnywhere() const {
-  for (std::uint32_t t = 0; t < boundary_->mesh().triangleCount(); ++t) {
-    if (boundsSolid(t)) return true;
-  }
-  return false;
+  const auto triangles = std::views::iota(std::size_t(0), boundary_->mesh().triangleCount());
+  return std::ranges::any_of(triangles,
+                             [&](std::size_t t) { return boundsSolid(static_cast<std::uint32_t>(t)); });
+}
+
+bool SolidMesh::boundsEverywhere() const {
+  const auto triangles = std::views::iota(std::size_t(0), boundary_->mesh().triangleCount());
+  return std::ranges::all_of(triangles,
+                             [&](std::size_t t) { return boundsSolid(static_cast<std::uint32_t>(t)); });
 }
 
 bool SolidMesh::contains(const Vec3& point_in_a, const Pose& mesh_in_a) const {

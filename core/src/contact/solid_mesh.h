@@ -31,6 +31,7 @@ class SolidMesh {
   /// What is in an open box must not be pushed out through its walls.
   bool boundsSolid(std::uint32_t triangle) const;
   bool boundsAnywhere() const;
+  bool boundsEverywhere() const;
   /// Whether a point is inside, and the nearest triangle shows the way out. The point is in a frame in which
   /// the mesh has a pose. Allocates nothing.
   bool contains(const Vec3& point, const Pose& mesh_in_a = {}) const;

@@ -32,7 +32,7 @@ ClusteredOctree treeOver(const std::vector<SourceTriangle>& triangles) {
 }  // namespace
 
 SourceSheet::Sheet::Sheet(const std::vector<SourceTriangle>& triangles)
-    : tree(treeOver(triangles)), mesh(tree, SolidMesh::Kind::sheet), features(mesh) {}
+    : tree(treeOver(triangles)), features({tree, SolidMesh::Kind::sheet}) {}
 
 void SourceSheet::read(const TriangleSource& source, const Aabb& box) {
   // Whole cells as large as the box: a body that moves seldom leaves the region, which depends on nothing

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/feature_contacts.h"
+#include "contact/mesh_features.h"
 #include "octoblisk/triangle_source.h"
 
 namespace octoblisk::detail {
@@ -18,8 +18,8 @@ class SourceSheet {
   void read(const TriangleSource& source, const Aabb& box);
 
   bool isEmpty() const { return !sheet_; }
-  /// Unless empty: the sheet, in the source's frame.
-  FeatureContacts::Solid sheet() const { return {sheet_->features, sheet_->mesh}; }
+  /// Unless empty: those of the sheet, in the source's frame.
+  const MeshFeatures& features() const { return sheet_->features; }
   const SourceTriangle& triangle(std::uint32_t index) const { return triangles_[index]; }
 
  private:
@@ -27,7 +27,6 @@ class SourceSheet {
     explicit Sheet(const std::vector<SourceTriangle>& triangles);
 
     ClusteredOctree tree;
-    SolidMesh mesh;
     MeshFeatures features;
   };
 

@@ -1,0 +1,174 @@
+#include "contact/corner_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "octoblisk/closest_point.h"
+#include "octoblisk/raycast.h"
+
+namespace octoblisk::detail {
+
+std::span<const Contact> CornerContacts::find(const Meshes& meshes, double reach, double not_felt) & {
+  const TriangleMesh& faces = meshes.other.tree().mesh();
+  not_felt_ = not_felt;
+  contacts_.clear();
+  pushes_.clear();
+  ways_back_.clear();
+  if (least_height_.size() < meshes.own.cornerCount()) least_height_.resize(meshes.own.cornerCount(), kFar);
+  for (const CornerAndFace& pair : meshes.pairs) {
+    const Triangle face = faces.triangle(pair.face);
+    const Vec3 normal = unitNormal(face);
+    if (normal.isZero(0.0)) continue;
+    if (meshes.other.isSheet(pair.face)) {
+      addOverSheet(meshes, pair, face, normal);
+      continue;
+    }
+    if (!meshes.isPushedAlong(pair.corner, normal)) continue;
+    const double height = normal.dot(meshes.position(pair.corner) - face[0]);
+    double& least = least_height_[pair.corner];
+    if (std::abs(height) < std::abs(least)) least = height;
+    if (height >= -not_felt && height <= reach) pushes_.push_back({pair, normal, height});
+  }
+  addPastSheets(meshes);
+  findInside(meshes);
+  const auto isDeep = [&](std::uint32_t corner) {
+    return inside_.contains(corner) && !(std::abs(least_height_[corner]) <= not_felt);
+  };
+  for (const auto& [pair, normal, height] : pushes_) {
+    if (!isDeep(pair.corner)) add(meshes, pair, normal, height);
+  }
+  for (const std::uint32_t corner : inside_.corners()) {
+    if (isDeep(corner)) addWayOut(meshes, corner);
+  }
+  addWaysBack(meshes);
+  for (const CornerAndFace& pair : meshes.pairs) least_height_[pair.corner] = kFar;
+  return contacts_;
+}
+
+void CornerContacts::add(const Meshes& meshes, const CornerAndFace& pair, const Vec3& normal, double height) {
+  const Vec3 point = meshes.position(pair.corner);
+  contacts_.push_back({point, point - height * normal, normal, height, pair.triangle, pair.face});
+}
+
+/// Adds the contact of a corner with a face of a sheet: on the side where it belongs, or on the side where it
+/// is, or, if it is as good as on the face, on the side from which it can be pushed.
+void CornerContacts::addOverSheet(const Meshes& meshes, const CornerAndFace& pair, const Triangle& face,
+                                  const Vec3& normal) {
+  const double height = normal.dot(meshes.position(pair.corner) - face[0]), here = std::copysign(1.0, height),
+               side = meshes.meeting.empty() ? here : sideOf(meshes, pair.corner, face[0], normal);
+  for (const double sense : {side, here, -here}) {
+    const bool is_past = sense * height < -not_felt_, may_be_past = sense == side && !meshes.meeting.empty();
+    if ((is_past && !may_be_past) || !meshes.isPushedAlong(pair.corner, sense * normal)) continue;
+    return add(meshes, pair, sense * normal, sense * height);
+  }
+}
+
+/// 1 if a corner belongs above a plane of a sheet, -1 if below: where it was when the meshes were apart. If
+/// that is not known, where the middle of its mesh is.
+double CornerContacts::sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane,
+                              const Vec3& normal) const {
+  const auto heightOf = [&](const Vec3& point) {
+    return normal.dot(meshes.when_apart.value_or(meshes.own_in_other) * point - on_plane);
+  };
+  const double height = meshes.when_apart ? heightOf(meshes.own.position(corner)) : 0.0;
+  if (std::abs(height) > not_felt_) return std::copysign(1.0, height);
+  return std::copysign(1.0, heightOf(meshes.own.tree().mesh().bounds().center()));
+}
+
+/// Adds the contacts of corners past a sheet: of each triangle that meets the sheet, and from there downhill
+/// the first one that can be pushed back.
+void CornerContacts::addPastSheets(const Meshes& meshes) {
+  const MeshFeatures &own = meshes.own, &other = meshes.other;
+  if (!other.hasSheets()) return;
+  past_.clear();
+  for (const TrianglePair& pair : meshes.meeting) {
+    if (!other.isSheet(pair.*meshes.other_triangle)) continue;
+    const Triangle face = other.tree().mesh().triangle(pair.*meshes.other_triangle);
+    const Vec3 normal = unitNormal(face);
+    for (const std::uint32_t corner : own.cornersOf(pair.*meshes.own_triangle)) {
+      const Vec3 out = sideOf(meshes, corner, face[0], normal) * normal;
+      if (!(out.dot(meshes.position(corner) - face[0]) < 0.0)) continue;
+      const Vec3 out_of_own = meshes.own_in_other.rotation.transpose() * out;
+      for (std::uint32_t past = corner; past != kNoIndex; past = own.neighbourAgainst(past, out_of_own)) {
+        const bool is_pushed = own.isPushedAlong(past, out_of_own);
+        if (is_pushed || past == corner) past_.push_back({past, out});
+        if (is_pushed) break;
+      }
+    }
+  }
+  std::ranges::sort(past_, {}, [](const Past& past) {
+    return std::tuple(past.corner, past.out.x(), past.out.y(), past.out.z());
+  });
+  const auto areAlike = [](const Past& a, const Past& b) {
+    return a.corner == b.corner && a.out.cross(b.out).norm() <= kAlike && a.out.dot(b.out) > 0.0;
+  };
+  past_.erase(std::unique(past_.begin(), past_.end(), areAlike), past_.end());
+  for (const auto& [corner, out] : past_) {
+    const auto hit = closestHit(other.tree(), {meshes.position(corner), out, kFar});
+    if (hit && other.isSheet(hit->triangle))
+      add(meshes, {corner, own.triangleAt(corner), hit->triangle}, out, -hit->t);
+  }
+}
+
+/// Finds the corners inside the other solid. No corner is inside if no triangles meet.
+void CornerContacts::findInside(const Meshes& meshes) {
+  seeds_.clear();
+  if (!meshes.meeting.empty()) {
+    for (const TrianglePair& pair : meshes.meeting) {
+      for (const std::uint32_t corner : meshes.own.cornersOf(pair.*meshes.own_triangle))
+        seeds_.push_back(corner);
+    }
+    for (const CornerAndFace& pair : meshes.pairs) {
+      if (least_height_[pair.corner] < -not_felt_) seeds_.push_back(pair.corner);
+    }
+  }
+  inside_.find(meshes.own, meshes.own_in_a, meshes.other.solid(), meshes.other_in_a, seeds_);
+}
+
+/// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
+/// the corner. If not, the corner may be past the middle of a thin part, or under a face near its rim.
+void CornerContacts::addWayOut(const Meshes& meshes, std::uint32_t corner) {
+  const Vec3 point = meshes.position(corner);
+  const ClosestPoint out = *closestPoint(meshes.other.tree(), point);
+  const Vec3 normal = out.distance > not_felt_
+                          ? Vec3((out.point - point) / out.distance)
+                          : unitNormal(meshes.other.tree().mesh().triangle(out.triangle));
+  if (!normal.isZero(0.0) && meshes.isPushedAlong(corner, normal)) {
+    add(meshes, {corner, meshes.own.triangleAt(corner), out.triangle}, normal, -out.distance);
+  } else {
+    ways_back_.push_back({corner, normal});
+  }
+}
+
+/// Adds the contacts of corners that the nearest point cannot push. Each comes out along the normal of a face
+/// that a triangle at the corner meets and that does not face the way to the nearest point: others push that
+/// way. If there are several such normals, it is the shortest way.
+void CornerContacts::addWaysBack(const Meshes& meshes) {
+  if (ways_back_.empty()) return;
+  const MeshFeatures &own = meshes.own, &other = meshes.other;
+  std::ranges::sort(ways_back_, {}, &WayBack::corner);
+  for (const TrianglePair& pair : meshes.meeting) {
+    const Vec3 out = unitNormal(other.tree().mesh().triangle(pair.*meshes.other_triangle));
+    for (const std::uint32_t corner : own.cornersOf(pair.*meshes.own_triangle)) {
+      const auto way = std::ranges::lower_bound(ways_back_, corner, {}, &WayBack::corner);
+      if (way == ways_back_.end() || way->corner != corner || out.dot(way->to_nearest) > kAlike ||
+          !meshes.isPushedAlong(corner, out))
+        continue;
+      const auto hit = closestHit(other.tree(), {meshes.position(corner), out, way->length});
+      if (!hit || !hit->back_face || !meshes.isPushedAlong(corner, hit->normal)) continue;
+      if (std::tuple(hit->t, hit->triangle) >= std::tuple(way->length, way->face)) continue;
+      way->face = hit->triangle;
+      way->length = hit->t;
+      way->normal = hit->normal;
+      way->height = -hit->t * out.dot(hit->normal);
+    }
+  }
+  for (const WayBack& way : ways_back_) {
+    if (way.face == kNoTriangle) continue;
+    add(meshes, {way.corner, own.triangleAt(way.corner), way.face}, way.normal, way.height);
+  }
+}
+
+}  // namespace octoblisk::detail
