@@ -217,30 +217,30 @@ void MeshAlgorithm::processCollision(const btCollisionObjectWrapper* body0,
   const double breaking = double(std::min(
       breakingThreshold(*mesh.getCollisionObject()->getCollisionShape(), &mesh_shape),
       breakingThreshold(*other.getCollisionObject()->getCollisionShape(), asOurShape(*other.m_shape))));
-  PosedShapes shapes{mesh_shape, *other.m_shape,
-                     fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()),
-                     breaking};
-  noticeChanges(shapes);
-  const double near = double(shapes.mesh.getMargin()) + marginOfOther(shapes.other) +
-                      double(result->m_closestPointDistanceThreshold);
   // contactTest and similar functions use derived results.
   const std::type_info& result_type = typeid(*result);
   const bool is_step = result_type == typeid(btManifoldResult);
+  const double margins = double(mesh_shape.getMargin()) + marginOfOther(*other.m_shape),
+               reach = (is_step ? kCreated : 1.0) * breaking + margins +
+                       double(result->m_closestPointDistanceThreshold);
+  PosedShapes shapes{mesh_shape, *other.m_shape,
+                     fromBullet(mesh.getWorldTransform()).inverse() * fromBullet(other.getWorldTransform()),
+                     breaking, reach};
+  noticeChanges(shapes);
   static_assert(std::is_final_v<AllContacts>);
   if (result_type == typeid(AllContacts)) {
     shapes.has_all_triangles = true;
-    findTriangleContacts(shapes, breaking + near, contacts_);
+    findTriangleContacts(shapes, contacts_);
     static_cast<AllContacts*>(result)->take(*mesh.getCollisionObject(), contacts_);
     return;
   }
   const bool may_pull = is_step && info.m_timeStep > 0 && mayPull(*other.m_shape);
-  const double reach = (is_step ? kCreated : 1.0) * breaking + near;
   if (!is_step || !other_in_mesh_ || reach != reach_ ||
       !areStill(mesh, other, *other_in_mesh_, shapes.other_in_mesh, kStill * breaking)) {
     other_in_mesh_.reset();  // in case of an exception
     if (may_pull) shapes.other_when_apart = way_back_.reference();
-    findBodyContacts(shapes, reach, contacts_);
-    if (may_pull) pushBack(shapes, reach, mesh, other, info.m_timeStep);
+    findBodyContacts(shapes, contacts_);
+    if (may_pull) pushBack(shapes, mesh, other, info.m_timeStep);
     patches_.reduce(contacts_, breaking);
     if (is_step) noticeRoom();
     other_in_mesh_ = shapes.other_in_mesh;
@@ -266,7 +266,7 @@ void MeshAlgorithm::noticeChanges(const PosedShapes& shapes) {
     other_in_mesh_.reset();
   }
   are_solid_ = are_solid;
-  if (!readOther(shapes.other)) other_in_mesh_.reset();
+  if (!readOther(shapes)) other_in_mesh_.reset();
 }
 
 bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
@@ -274,7 +274,7 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
   return !are_solid_.first.is_solid || (other.isConcave() && !are_solid_.second.is_solid);
 }
 
-void MeshAlgorithm::pushBack(PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+void MeshAlgorithm::pushBack(PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
   const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
@@ -292,7 +292,7 @@ void MeshAlgorithm::pushBack(PosedShapes& shapes, double reach, const btCollisio
                startOf(other, length, last_step_ ? &last_step_->other_in_world : nullptr);
   const std::optional<Pose> last_apart = convex ? std::nullopt : way_back_.lastApart();
   if (way_back_.isNew() || last_apart) {
-    findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking}, 0.0, contacts_);
+    findTriangleContacts({shapes.mesh, shapes.other, start, shapes.breaking, 0.0}, contacts_);
     std::optional<Pose> reference;
     if (!overlap()) {
       reference = start;
@@ -303,7 +303,7 @@ void MeshAlgorithm::pushBack(PosedShapes& shapes, double reach, const btCollisio
       if (areStill(mesh, other, *last_apart, start, size)) reference = last_apart;
     }
     shapes.other_when_apart = reference;
-    findBodyContacts(shapes, reach, contacts_);
+    findBodyContacts(shapes, contacts_);
     // From the next step on, the middle of a convex body shows its side.
     if (!reference) return convex ? way_back_.noticeApart(shapes.other_in_mesh) : way_back_.noticeOverlap();
     start = *reference;

@@ -77,6 +77,7 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
     const btCollisionShape& other;
     Pose other_in_mesh;
     double breaking;
+    double reach;                    ///< within which contacts are sought
     bool has_all_triangles = false;  ///< also those that a body cannot touch from outside
     std::optional<Pose> other_when_apart = std::nullopt;  ///< in the mesh's frame, if known
 
@@ -97,22 +98,21 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
                                       const btCollisionObjectWrapper& body1);
 
   /// Replaces `found` with the contacts between the triangles of the mesh (A) and the other body (B) within
-  /// `reach`, in the mesh's frame. AllContacts reports these for all triangles.
-  virtual void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) = 0;
+  /// reach, in the mesh's frame. AllContacts reports these for all triangles.
+  virtual void findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) = 0;
 
-  /// The same without contacts that exist only because surfaces are divided into triangles. Steps and contact
-  /// tests use these. If very many triangles are near, contacts may be missing: those whose distance exceeds
-  /// the least distance by more than kCreated times the breaking threshold.
-  virtual void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) {
-    findTriangleContacts(shapes, reach, found);
+  /// The same of the bodies: without contacts that exist only because surfaces are divided into triangles.
+  /// Steps and contact tests use these.
+  virtual void findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
+    findTriangleContacts(shapes, found);
   }
 
   /// Discards everything that is known about the shapes' triangles.
   virtual void trianglesHaveMoved() {}
 
-  /// Reads the other body's shape. Returns whether it is certainly unchanged since the last call, apart from
-  /// its tree. Called first.
-  virtual bool readOther(const btCollisionShape& other) = 0;
+  /// Reads the other body's shape, as far as it is within reach. Returns whether that is certainly unchanged
+  /// since the last call, apart from the shape's tree. Called first.
+  virtual bool readOther(const PosedShapes& shapes) = 0;
 
   /// The margin of the other body that findTriangleContacts does not include.
   virtual double marginOfOther(const btCollisionShape&) const { return 0.0; }
@@ -138,9 +138,9 @@ class MeshAlgorithm : public btActivatingCollisionAlgorithm {
   /// Whether contacts may pull a body through an open mesh.
   bool mayPull(const btCollisionShape& other) const;
 
-  /// After findBodyContacts within `reach`: keeps the contacts from pulling a body through an open mesh. If
+  /// After findBodyContacts: keeps the contacts from pulling a body through an open mesh. If
   /// the last step is unknown, assumes that it took `time_step`.
-  void pushBack(PosedShapes& shapes, double reach, const btCollisionObjectWrapper& mesh,
+  void pushBack(PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
                 const btCollisionObjectWrapper& other, btScalar time_step);
 
   /// Measures the room if one body is between opposite walls of the other. Keeps the greatest room since the

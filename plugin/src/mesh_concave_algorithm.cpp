@@ -94,23 +94,22 @@ class ConcaveSource final : public TriangleSource {
 
 }  // namespace
 
-void MeshConcaveAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
-                                                std::vector<Contact>& found) {
+void MeshConcaveAlgorithm::findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
   const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
-  source_contacts_.find(shapes.treeOfMesh(), source, shapes.other_in_mesh, reach, found);
+  source_contacts_.find(shapes.treeOfMesh(), source, shapes.other_in_mesh, shapes.reach, found);
 }
 
-void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
-                                            std::vector<Contact>& found) {
+bool MeshConcaveAlgorithm::readOther(const PosedShapes& shapes) {
+  const Obb box = shapes.other_in_mesh.inverse() * obbOf(shapes.treeOfMesh().mesh().bounds());
+  return !sheet_.read(ConcaveSource(static_cast<const btConcaveShape&>(shapes.other)),
+                      boundsOf(box.corners()).grown(shapes.reach));
+}
+
+void MeshConcaveAlgorithm::findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
   found.clear();
-  const ConcaveSource source(static_cast<const btConcaveShape&>(shapes.other));
-  const Pose& other_in_mesh = shapes.other_in_mesh;
-  sheet_.read(source,
-              boundsOf((other_in_mesh.inverse() * obbOf(shapes.treeOfMesh().mesh().bounds())).corners())
-                  .grown(reach));
   if (sheet_.isEmpty()) return;
-  feature_contacts_.find(shapes.mesh.features(), sheet_.features(), orthonormal(other_in_mesh),
-                         shapes.other_when_apart, reach, shapes.breaking, found);
+  feature_contacts_.find(shapes.mesh.features(), sheet_.features(), orthonormal(shapes.other_in_mesh),
+                         shapes.other_when_apart, shapes.reach, shapes.breaking, found);
 }
 
 }  // namespace octoblisk::detail

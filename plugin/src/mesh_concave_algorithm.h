@@ -16,10 +16,9 @@ class MeshConcaveAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  /// The shape does not report changes.
-  bool readOther(const btCollisionShape&) override { return false; }
+  void findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  void findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  bool readOther(const PosedShapes& shapes) override;
   double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }
   std::optional<SourceTriangle> triangleOfOther(const btCollisionShape&,
                                                 const Contact& contact) const override {

@@ -10,8 +10,8 @@
 
 namespace octoblisk::detail {
 
-bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
-  const auto& shape = static_cast<const btConvexShape&>(other);
+bool MeshConvexAlgorithm::readOther(const PosedShapes& shapes) {
+  const auto& shape = static_cast<const btConvexShape&>(shapes.other);
   const bool has_other_corners = core_.update(shape);
   const Aabb bounds = shapeBounds(shape);
   const btScalar margin = shape.getMarginNonVirtual();
@@ -24,27 +24,25 @@ bool MeshConvexAlgorithm::readOther(const btCollisionShape& other) {
   return is_known && !has_other_corners && !has_other_size;
 }
 
-void MeshConvexAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
-                                               std::vector<Contact>& found) {
+void MeshConvexAlgorithm::findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const ClusteredOctree& tree = shapes.treeOfMesh();
-  contacts(tree, near_.find(tree, convex, shapes.other_in_mesh, reach), convex, shapes.other_in_mesh, reach,
-           found);
+  contacts(tree, near_.find(tree, convex, shapes.other_in_mesh, shapes.reach), convex, shapes.other_in_mesh,
+           shapes.reach, found);
 }
 
-void MeshConvexAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
-                                           std::vector<Contact>& found) {
-  findTriangleContacts(shapes, reach, found);
+void MeshConvexAlgorithm::findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
+  findTriangleContacts(shapes, found);
   const ClusteredOctree& tree = shapes.treeOfMesh();
   const BulletConvex convex(static_cast<const btConvexShape&>(shapes.other), core_);
   const Pose& convex_in_mesh = shapes.other_in_mesh;
   const SolidMesh solid = shapes.mesh.solid();
-  if (solid.isAnywhereSolid()) toSolidContacts(solid, convex, convex_in_mesh, reach, middle_, found);
+  if (solid.isAnywhereSolid()) toSolidContacts(solid, convex, convex_in_mesh, shapes.reach, middle_, found);
   const std::size_t of_triangles = found.size();
-  addFlatContacts(tree.mesh(), convex, convex_in_mesh, reach, found);
+  addFlatContacts(tree.mesh(), convex, convex_in_mesh, shapes.reach, found);
   if (core_.hasFeet()) {
     const auto feet = [this](const Vec3& towards) { return core_.feet(towards); };
-    addFootContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, reach, of_triangles, found);
+    addFootContacts(tree.mesh(), feet, convex.radius(), convex_in_mesh, shapes.reach, of_triangles, found);
   }
   internal_edges_.removeFrom(found, tree.mesh());
 }

@@ -14,9 +14,9 @@ class MeshConvexAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  bool readOther(const btCollisionShape& other) override;
+  void findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  void findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  bool readOther(const PosedShapes& shapes) override;
   std::optional<WayBack::ConvexBody> convexOther() override {
     return WayBack::ConvexBody{core_.middle(), feet_, double(margin_)};
   }

@@ -22,19 +22,18 @@ Contact exchanged(const Contact& of_b, const Pose& b_in_a) {
 
 }  // namespace
 
-void MeshMeshAlgorithm::findTriangleContacts(const PosedShapes& shapes, double reach,
-                                             std::vector<Contact>& found) {
-  contacts(shapes.treeOfMesh(), shapes.treeOf(ourShape(shapes.other)), shapes.other_in_mesh, reach, found);
+void MeshMeshAlgorithm::findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
+  contacts(shapes.treeOfMesh(), shapes.treeOf(ourShape(shapes.other)), shapes.other_in_mesh, shapes.reach,
+           found);
 }
 
-void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, double reach,
-                                         std::vector<Contact>& found) {
+void MeshMeshAlgorithm::findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) {
   const ClusteredOctreeShape &shape_a = shapes.mesh, &shape_b = ourShape(shapes.other);
   const Pose& b_in_a = shapes.other_in_mesh;
   feature_contacts_.find(shape_a.features(), shape_b.features(), orthonormal(b_in_a), shapes.other_when_apart,
-                         reach, shapes.breaking, found);
+                         shapes.reach, shapes.breaking, found);
   // Far vertices that are deeper than `reach` get contacts of their own.
-  addWaysOut(shape_a, shape_b, b_in_a, reach, found);
+  addWaysOut(shape_a, shape_b, b_in_a, shapes.reach, found);
 }
 
 void MeshMeshAlgorithm::addWaysOut(const ClusteredOctreeShape& shape_a, const ClusteredOctreeShape& shape_b,

@@ -14,9 +14,9 @@ class MeshMeshAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  void findBodyContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  bool readOther(const btCollisionShape&) override { return true; }
+  void findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  void findBodyContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  bool readOther(const PosedShapes&) override { return true; }
   double marginOfOther(const btCollisionShape& other) const override { return double(other.getMargin()); }
   std::optional<SourceTriangle> triangleOfOther(const btCollisionShape& other,
                                                 const Contact& contact) const override;

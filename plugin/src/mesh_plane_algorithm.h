@@ -11,8 +11,8 @@ class MeshPlaneAlgorithm final : public MeshAlgorithm {
   using MeshAlgorithm::MeshAlgorithm;
 
  private:
-  void findTriangleContacts(const PosedShapes& shapes, double reach, std::vector<Contact>& found) override;
-  bool readOther(const btCollisionShape& other) override;
+  void findTriangleContacts(const PosedShapes& shapes, std::vector<Contact>& found) override;
+  bool readOther(const PosedShapes& shapes) override;
 
   btVector3 normal_ = btVector3(0, 0, 0);
   btScalar constant_ = 0;

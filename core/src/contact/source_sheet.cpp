@@ -34,27 +34,29 @@ ClusteredOctree treeOver(const std::vector<SourceTriangle>& triangles) {
 SourceSheet::Sheet::Sheet(const std::vector<SourceTriangle>& triangles)
     : tree(treeOver(triangles)), features({tree, SolidMesh::Kind::sheet}) {}
 
-void SourceSheet::read(const TriangleSource& source, const Aabb& box) {
+bool SourceSheet::read(const TriangleSource& source, const Aabb& box) {
   // Whole cells as large as the box: a body that moves seldom leaves the region, which depends on nothing
   // else.
   const double cell = std::exp2(std::ceil(std::log2(box.halfExtents().maxCoeff())));
   Aabb region;
   region.min = cell * (box.min / cell).array().floor();
   region.max = cell * (box.max / cell).array().ceil();
-  read_.clear();
+  fresh_.clear();
   source.forEachTriangleIn(region, [&](const SourceTriangle& triangle) {
     const auto isFinite = [](const Vec3& corner) {
       return (corner.array().abs() <= TriangleMesh::kMaxCoordinate).all();
     };
     if (std::ranges::all_of(triangle.corners, isFinite) && region.meets(boundsOf(triangle.corners)))
-      read_.push_back(triangle);
+      fresh_.push_back(triangle);
   });
-  std::ranges::sort(read_, {}, key);
-  read_.erase(std::unique(read_.begin(), read_.end(), areEqual), read_.end());
-  if (std::ranges::equal(read_, triangles_, areEqual)) return;
-  sheet_.reset();
-  if (!read_.empty()) sheet_ = std::make_unique<const Sheet>(read_);
-  triangles_ = read_;
+  if (std::ranges::equal(fresh_, read_, areEqual)) return false;
+  std::vector<SourceTriangle> sorted = fresh_;
+  std::ranges::sort(sorted, {}, key);
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), areEqual), sorted.end());
+  sheet_ = sorted.empty() ? nullptr : std::make_unique<const Sheet>(sorted);
+  triangles_.swap(sorted);
+  read_.swap(fresh_);
+  return true;
 }
 
 }  // namespace octoblisk::detail

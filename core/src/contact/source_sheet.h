@@ -14,8 +14,9 @@ namespace octoblisk::detail {
 class SourceSheet {
  public:
   /// Reads the triangles of a source in a box of its frame, which is not empty, and some others. Triangles
-  /// that are not finite are left out. Allocates nothing while the triangles stay the same.
-  void read(const TriangleSource& source, const Aabb& box);
+  /// that are not finite are left out. Returns whether the triangles have changed. Allocates nothing while
+  /// they stay the same.
+  bool read(const TriangleSource& source, const Aabb& box);
 
   bool isEmpty() const { return !sheet_; }
   /// Unless empty: those of the sheet, in the source's frame.
@@ -30,7 +31,8 @@ class SourceSheet {
     MeshFeatures features;
   };
 
-  std::vector<SourceTriangle> triangles_, read_;
+  std::vector<SourceTriangle> triangles_;     // of the sheet
+  std::vector<SourceTriangle> read_, fresh_;  // the last ones and the new ones, in the source's order
   std::unique_ptr<const Sheet> sheet_;
 };
 
