@@ -1,8 +1,8 @@
 #include "contact/corner_contacts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "octoblisk/closest_point.h"
@@ -31,7 +31,7 @@ std::span<const Contact> CornerContacts::find(const Meshes& meshes, double reach
     if (std::abs(height) < std::abs(least)) least = height;
     if (height >= -not_felt && height <= reach) pushes_.push_back({pair, normal, height});
   }
-  addPastSheets(meshes);
+  addPastSheets(meshes, reach);
   findInside(meshes);
   const auto isDeep = [&](std::uint32_t corner) {
     return inside_.contains(corner) && !(std::abs(least_height_[corner]) <= not_felt);
@@ -58,28 +58,49 @@ void CornerContacts::addOverSheet(const Meshes& meshes, const CornerAndFace& pai
                                   const Vec3& normal) {
   const double height = normal.dot(meshes.position(pair.corner) - face[0]), here = std::copysign(1.0, height),
                side = meshes.meeting.empty() ? here : sideOf(meshes, pair.corner, face[0], normal);
+  const bool is_known = meshes.when_apart && !meshes.meeting.empty();
   for (const double sense : {side, here, -here}) {
+    if (is_known && sense != side) continue;
     const bool is_past = sense * height < -not_felt_, may_be_past = sense == side && !meshes.meeting.empty();
     if ((is_past && !may_be_past) || !meshes.isPushedAlong(pair.corner, sense * normal)) continue;
     return add(meshes, pair, sense * normal, sense * height);
   }
 }
 
-/// 1 if a corner belongs above a plane of a sheet, -1 if below: where it was when the meshes were apart. If
-/// that is not known, where the middle of its mesh is.
+/// 1 if a corner belongs above a plane of a sheet, -1 if below. If it is known where the meshes were apart, a
+/// corner belongs on the other side if its way from there crosses sheets an odd number of times. If not, or
+/// if it started on the plane, it belongs where the middle of its mesh was, unless the other mesh is smaller.
 double CornerContacts::sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane,
-                              const Vec3& normal) const {
-  const auto heightOf = [&](const Vec3& point) {
-    return normal.dot(meshes.when_apart.value_or(meshes.own_in_other) * point - on_plane);
+                              const Vec3& normal) {
+  const MeshFeatures &own = meshes.own, &other = meshes.other;
+  const auto sideOfPoint = [&](const Vec3& point) {
+    return std::copysign(1.0, normal.dot(point - on_plane));
   };
-  const double height = meshes.when_apart ? heightOf(meshes.own.position(corner)) : 0.0;
-  if (std::abs(height) > not_felt_) return std::copysign(1.0, height);
-  return std::copysign(1.0, heightOf(meshes.own.tree().mesh().bounds().center()));
+  const Vec3 to = meshes.position(corner);
+  const double here = sideOfPoint(to);
+  const Pose& before = meshes.when_apart ? *meshes.when_apart : meshes.own_in_other;
+  const Vec3 from = before * own.position(corner);
+  if (!meshes.when_apart || std::abs(normal.dot(from - on_plane)) <= not_felt_) {
+    const auto sizeOf = [](const MeshFeatures& mesh) {
+      return mesh.tree().mesh().bounds().halfExtents().norm();
+    };
+    return sizeOf(own) > sizeOf(other) ? here : sideOfPoint(before * own.tree().mesh().bounds().center());
+  }
+  allHits(other.tree(), {from, to - from, 1.0}, hits_);
+  std::erase_if(hits_, [&](const RayHit& hit) { return !other.isSheet(hit.triangle); });
+  const auto areOne = [](const RayHit& a, const RayHit& b) {  // a way through an edge hits both sides of it
+    constexpr double kRounding = 1e-9;
+    return b.t - a.t <= kRounding && a.back_face == b.back_face;
+  };
+  hits_.erase(std::unique(hits_.begin(), hits_.end(), areOne), hits_.end());
+  if (hits_.size() % 2 == 0) return here;
+  const RayHit& last = hits_.back();
+  return std::copysign(1.0, (last.back_face ? -1.0 : 1.0) * last.normal.dot(normal));
 }
 
 /// Adds the contacts of corners past a sheet: of each triangle that meets the sheet, and from there downhill
 /// the first one that can be pushed back.
-void CornerContacts::addPastSheets(const Meshes& meshes) {
+void CornerContacts::addPastSheets(const Meshes& meshes, double reach) {
   const MeshFeatures &own = meshes.own, &other = meshes.other;
   if (!other.hasSheets()) return;
   past_.clear();
@@ -93,20 +114,20 @@ void CornerContacts::addPastSheets(const Meshes& meshes) {
       const Vec3 out_of_own = meshes.own_in_other.rotation.transpose() * out;
       for (std::uint32_t past = corner; past != kNoIndex; past = own.neighbourAgainst(past, out_of_own)) {
         const bool is_pushed = own.isPushedAlong(past, out_of_own);
-        if (is_pushed || past == corner) past_.push_back({past, out});
+        if (is_pushed || past == corner)
+          past_.push_back({past, out, out.dot(face[0] - meshes.position(past))});
         if (is_pushed) break;
       }
     }
   }
-  std::ranges::sort(past_, {}, [](const Past& past) {
-    return std::tuple(past.corner, past.out.x(), past.out.y(), past.out.z());
-  });
-  const auto areAlike = [](const Past& a, const Past& b) {
-    return a.corner == b.corner && a.out.cross(b.out).norm() <= kAlike && a.out.dot(b.out) > 0.0;
+  const auto key = [](const Past& past) {
+    return std::tuple(past.corner, past.out.x(), past.out.y(), past.out.z(), past.depth);
   };
-  past_.erase(std::unique(past_.begin(), past_.end(), areAlike), past_.end());
-  for (const auto& [corner, out] : past_) {
-    const auto hit = closestHit(other.tree(), {meshes.position(corner), out, kFar});
+  std::ranges::sort(past_, {}, key);
+  const auto areOne = [&](const Past& a, const Past& b) { return key(a) == key(b); };
+  past_.erase(std::unique(past_.begin(), past_.end(), areOne), past_.end());
+  for (const auto& [corner, out, depth] : past_) {
+    const auto hit = closestHit(other.tree(), {meshes.position(corner), out, depth + reach});
     if (hit && other.isSheet(hit->triangle))
       add(meshes, {corner, own.triangleAt(corner), hit->triangle}, out, -hit->t);
   }

@@ -11,6 +11,7 @@
 #include "contact/mesh_features.h"
 #include "contact/near_features.h"
 #include "octoblisk/contact.h"
+#include "octoblisk/raycast.h"
 
 namespace octoblisk::detail {
 
@@ -63,13 +64,14 @@ class CornerContacts {
   struct Past {
     std::uint32_t corner;
     Vec3 out;
+    double depth;  ///< under the plane of the triangle that meets the sheet
   };
 
   void add(const Meshes& meshes, const CornerAndFace& pair, const Vec3& normal, double height);
   void addOverSheet(const Meshes& meshes, const CornerAndFace& pair, const Triangle& face,
                     const Vec3& normal);
-  double sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane, const Vec3& normal) const;
-  void addPastSheets(const Meshes& meshes);
+  double sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane, const Vec3& normal);
+  void addPastSheets(const Meshes& meshes, double reach);
   void findInside(const Meshes& meshes);
   void addWayOut(const Meshes& meshes, std::uint32_t corner);
   void addWaysBack(const Meshes& meshes);
@@ -81,6 +83,7 @@ class CornerContacts {
   InsideCorners inside_;
   std::vector<WayBack> ways_back_;
   std::vector<Past> past_;
+  std::vector<RayHit> hits_;
   std::vector<Contact> contacts_;
 };
 
