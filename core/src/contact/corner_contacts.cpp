@@ -148,16 +148,44 @@ void CornerContacts::findInside(const Meshes& meshes) {
   inside_.find(meshes.own, meshes.own_in_a, meshes.other.solid(), meshes.other_in_a, seeds_);
 }
 
+/// The direction in which a corner of a sheet must leave a solid, so that the solid comes back to its side of
+/// the sheet: where the solid's point at the corner was when the meshes were apart. If that is not known,
+/// where the solid's middle is. None if the corner is not one of a sheet.
+std::optional<Vec3> CornerContacts::wayOfSheet(const Meshes& meshes, std::uint32_t corner) const {
+  const MeshFeatures& own = meshes.own;
+  const std::uint32_t at = own.triangleAt(corner);
+  const Vec3 normal = unitNormal(own.tree().mesh().triangle(at));
+  if (!own.isSheet(at) || normal.isZero(0.0)) return std::nullopt;
+  const auto heightOf = [&](const Vec3& point, const Pose& own_in_other) {
+    return (own_in_other.rotation * normal).dot(point - own_in_other * own.position(corner));
+  };
+  double height = 0.0;
+  if (meshes.when_apart) height = heightOf(meshes.position(corner), *meshes.when_apart);
+  if (!(std::abs(height) > not_felt_)) {
+    height = heightOf(meshes.other.tree().mesh().bounds().center(),
+                      meshes.when_apart.value_or(meshes.own_in_other));
+  }
+  return meshes.own_in_other.rotation * (-std::copysign(1.0, height) * normal);
+}
+
 /// Adds the contact of a corner inside the other mesh with the nearest point of its surface, if that can push
-/// the corner. If not, the corner may be past the middle of a thin part, or under a face near its rim.
+/// the corner. If not, the corner may be past the middle of a thin part, or under a face near its rim. A
+/// corner of a sheet is not pushed to the solid's side.
 void CornerContacts::addWayOut(const Meshes& meshes, std::uint32_t corner) {
   const Vec3 point = meshes.position(corner);
   const ClosestPoint out = *closestPoint(meshes.other.tree(), point);
   const Vec3 normal = out.distance > not_felt_
                           ? Vec3((out.point - point) / out.distance)
                           : unitNormal(meshes.other.tree().mesh().triangle(out.triangle));
-  if (!normal.isZero(0.0) && meshes.isPushedAlong(corner, normal)) {
+  const std::optional<Vec3> way = wayOfSheet(meshes, corner);
+  if (!normal.isZero(0.0) && meshes.isPushedAlong(corner, normal) && !(way && way->dot(normal) < -kAlike)) {
     add(meshes, {corner, meshes.own.triangleAt(corner), out.triangle}, normal, -out.distance);
+  } else if (way) {
+    const auto hit = closestHit(meshes.other.tree(), {point, *way, kFar});
+    if (hit && hit->back_face && meshes.isPushedAlong(corner, hit->normal)) {
+      add(meshes, {corner, meshes.own.triangleAt(corner), hit->triangle}, hit->normal,
+          -hit->t * way->dot(hit->normal));
+    }
   } else {
     ways_back_.push_back({corner, normal});
   }

@@ -73,6 +73,7 @@ class CornerContacts {
   double sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane, const Vec3& normal);
   void addPastSheets(const Meshes& meshes, double reach);
   void findInside(const Meshes& meshes);
+  std::optional<Vec3> wayOfSheet(const Meshes& meshes, std::uint32_t corner) const;
   void addWayOut(const Meshes& meshes, std::uint32_t corner);
   void addWaysBack(const Meshes& meshes);
 
