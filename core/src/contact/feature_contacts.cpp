@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "geometry/triangle_pair.h"
 #include "octoblisk/distance.h"
@@ -147,9 +148,33 @@ std::size_t FeatureContacts::countUnfelt(const MeshFeatures& a, const MeshFeatur
   return near_.meeting.size() - felt.size();
 }
 
+/// Turns the normals of sheets to the side where the other mesh belongs: where its point at the segment was
+/// when the meshes were apart, or where its middle is. So a sheet is taken for a solid behind it.
+void FeatureContacts::turnSheets(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                                 const std::optional<Pose>& b_when_apart, const TrianglePair& pair,
+                                 CurveSegment& segment) const {
+  const auto turn = [&](Vec3& normal, const Pose& sheet_moved, const Pose& other_moved, const Vec3& middle) {
+    // In a frame in which the sheet does not move.
+    const auto heightOf = [&](const Vec3& point) {
+      return normal.dot(sheet_moved.inverse() * (other_moved * point) - segment.from);
+    };
+    double height = heightOf(segment.from);
+    if (!(std::abs(height) > not_felt_ * normal.norm())) height = heightOf(middle);
+    if (!(height < 0.0)) return;
+    normal = -normal;
+    std::swap(segment.from, segment.to);
+  };
+  // From where the meshes are to where they were when apart, in A's frame.
+  const Pose b_moved = b_when_apart ? *b_when_apart * b_in_a.inverse() : Pose();
+  if (a.hasSheets() && a.isSheet(pair.a))
+    turn(segment.normal_a, Pose(), b_moved, b_in_a * b.tree().mesh().bounds().center());
+  if (b.hasSheets() && b.isSheet(pair.b))
+    turn(segment.normal_b, b_moved, Pose(), a.tree().mesh().bounds().center());
+}
+
 /// Adds a contact for each connected part of the curve in which the first `unfelt` pairs meet.
 void FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
-                                   std::size_t unfelt) {
+                                   const std::optional<Pose>& b_when_apart, std::size_t unfelt) {
   if (unfelt == 0) return;
   const TriangleMesh &mesh_a = a.tree().mesh(), &mesh_b = b.tree().mesh();
   const auto first_of_b = static_cast<std::uint32_t>(mesh_a.triangleCount());
@@ -165,7 +190,9 @@ void FeatureContacts::addCrossings(const MeshFeatures& a, const MeshFeatures& b,
     curve_.clear();
     for (; first != pairs.end() && groups_.rootOf(first->a) == group; ++first) {
       const auto segment = meetingSegment(mesh_a.triangle(first->a), b_in_a * mesh_b.triangle(first->b));
-      if (segment) curve_.push_back(*segment);
+      if (!segment) continue;
+      curve_.push_back(*segment);
+      turnSheets(a, b, b_in_a, b_when_apart, *first, curve_.back());
     }
     if (!curve_.empty()) addCrossing(of_group);
   }
@@ -220,7 +247,7 @@ void FeatureContacts::find(const MeshFeatures& a, const MeshFeatures& b, const P
   near_.find(a, b, b_in_a, reach, static_cast<float>(not_felt_));
   addCorners(a, b, b_in_a, b_when_apart);
   addEdges(a, b, b_in_a, b_when_apart);
-  addCrossings(a, b, b_in_a, countUnfelt(a, b));
+  addCrossings(a, b, b_in_a, b_when_apart, countUnfelt(a, b));
   addNearest(a, b, b_in_a);
   found.assign(contacts_.begin(), contacts_.end());
 }

@@ -36,7 +36,11 @@ class FeatureContacts {
   void addEdges(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
                 const std::optional<Pose>& b_when_apart);
   std::size_t countUnfelt(const MeshFeatures& a, const MeshFeatures& b);
-  void addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a, std::size_t unfelt);
+  void addCrossings(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                    const std::optional<Pose>& b_when_apart, std::size_t unfelt);
+  void turnSheets(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a,
+                  const std::optional<Pose>& b_when_apart, const TrianglePair& pair,
+                  CurveSegment& segment) const;
   void addCrossing(const TrianglePair& pair);
   void addNearest(const MeshFeatures& a, const MeshFeatures& b, const Pose& b_in_a);
 
