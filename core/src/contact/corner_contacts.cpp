@@ -12,6 +12,7 @@ namespace octoblisk::detail {
 
 std::span<const Contact> CornerContacts::find(const Meshes& meshes, double reach, double not_felt) & {
   const TriangleMesh& faces = meshes.other.tree().mesh();
+  reach_ = reach;
   not_felt_ = not_felt;
   contacts_.clear();
   pushes_.clear();
@@ -26,7 +27,9 @@ std::span<const Contact> CornerContacts::find(const Meshes& meshes, double reach
       continue;
     }
     if (!meshes.isPushedAlong(pair.corner, normal)) continue;
-    const double height = normal.dot(meshes.position(pair.corner) - face[0]);
+    const Vec3 point = meshes.position(pair.corner);
+    const double height = normal.dot(point - face[0]);
+    if (!isOver(face, point - height * normal, height)) continue;
     double& least = least_height_[pair.corner];
     if (std::abs(height) < std::abs(least)) least = height;
     if (height >= -not_felt && height <= reach) pushes_.push_back({pair, normal, height});
@@ -52,12 +55,21 @@ void CornerContacts::add(const Meshes& meshes, const CornerAndFace& pair, const 
   contacts_.push_back({point, point - height * normal, normal, height, pair.triangle, pair.face});
 }
 
+/// Whether a corner is over a face. Near an acute corner of the face, NearFeatures finds some that are beside
+/// both edges and much farther from the face.
+bool CornerContacts::isOver(const Triangle& face, const Vec3& foot, double height) const {
+  constexpr double kRounding = 1e-4;  // of lengths that have no effect
+  return octoblisk::distance(face, foot) <= kAlike * std::abs(height) + kRounding * not_felt_;
+}
+
 /// Adds the contact of a corner with a face of a sheet: on the side where it belongs, or on the side where it
 /// is, or, if it is as good as on the face, on the side from which it can be pushed.
 void CornerContacts::addOverSheet(const Meshes& meshes, const CornerAndFace& pair, const Triangle& face,
                                   const Vec3& normal) {
-  const double height = normal.dot(meshes.position(pair.corner) - face[0]), here = std::copysign(1.0, height),
-               side = meshes.meeting.empty() ? here : sideOf(meshes, pair.corner, face[0], normal);
+  const Vec3 point = meshes.position(pair.corner);
+  const double height = normal.dot(point - face[0]), here = std::copysign(1.0, height);
+  if (!(std::abs(height) <= reach_) || !isOver(face, point - height * normal, height)) return;
+  const double side = meshes.meeting.empty() ? here : sideOf(meshes, pair.corner, face[0], normal);
   const bool is_known = meshes.when_apart && !meshes.meeting.empty();
   for (const double sense : {side, here, -here}) {
     if (is_known && sense != side) continue;

@@ -67,6 +67,7 @@ class CornerContacts {
     double depth;  ///< under the plane of the triangle that meets the sheet
   };
 
+  bool isOver(const Triangle& face, const Vec3& foot, double height) const;
   void add(const Meshes& meshes, const CornerAndFace& pair, const Vec3& normal, double height);
   void addOverSheet(const Meshes& meshes, const CornerAndFace& pair, const Triangle& face,
                     const Vec3& normal);
@@ -77,7 +78,7 @@ class CornerContacts {
   void addWayOut(const Meshes& meshes, std::uint32_t corner);
   void addWaysBack(const Meshes& meshes);
 
-  double not_felt_ = 0.0;
+  double reach_ = 0.0, not_felt_ = 0.0;
   std::vector<double> least_height_;  // per corner: the nearest to 0, over a solid's face that can push it
   std::vector<Push> pushes_;
   std::vector<std::uint32_t> seeds_;
