@@ -37,7 +37,8 @@ SourceSheet::Sheet::Sheet(const std::vector<SourceTriangle>& triangles)
 bool SourceSheet::read(const TriangleSource& source, const Aabb& box) {
   // Whole cells as large as the box: a body that moves seldom leaves the region, which depends on nothing
   // else.
-  const double cell = std::exp2(std::ceil(std::log2(box.halfExtents().maxCoeff())));
+  constexpr double kLeast = 1e-100;  // for a box that is a point
+  const double cell = std::exp2(std::ceil(std::log2(std::max(box.halfExtents().maxCoeff(), kLeast))));
   Aabb region;
   region.min = cell * (box.min / cell).array().floor();
   region.max = cell * (box.max / cell).array().ceil();
