@@ -11,10 +11,10 @@
 namespace octoblisk::testing {
 
 /// Whether contacts are those of two surfaces within a threshold, in A's frame:
-/// - There are contacts exactly if triangles are within the threshold.
-/// - Apart, no contact is nearer than the nearest points, and one is as near up to `not_felt`.
+/// - There are contacts exactly if triangles are within the threshold, or hardly farther apart.
+/// - Apart, no contact is nearer than 0.99 times the nearest points, and one is as near up to `not_felt`.
 /// - Both points of a contact that does not overlap are on the contact's triangles, or beside them by no more
-///   than a tenth of its distance.
+///   than a tenth of its distance. If triangles meet, one at a distance of 0 may be in the middle of a curve.
 /// - If triangles meet, a contact touches.
 /// All up to `noise`. A contact at the end of the threshold, up to noise, may be missing.
 ::testing::AssertionResult areContactsOf(const TriangleMesh& a, const TriangleMesh& b, const Pose& b_in_a,
