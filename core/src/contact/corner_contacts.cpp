@@ -34,7 +34,7 @@ std::span<const Contact> CornerContacts::find(const Meshes& meshes, double reach
     if (std::abs(height) < std::abs(least)) least = height;
     if (height >= -not_felt && height <= reach) pushes_.push_back({pair, normal, height});
   }
-  addPastSheets(meshes, reach);
+  addPastSheets(meshes);
   findInside(meshes);
   const auto isDeep = [&](std::uint32_t corner) {
     return inside_.contains(corner) && !(std::abs(least_height_[corner]) <= not_felt);
@@ -112,7 +112,7 @@ double CornerContacts::sideOf(const Meshes& meshes, std::uint32_t corner, const 
 
 /// Adds the contacts of corners past a sheet: of each triangle that meets the sheet, and from there downhill
 /// the first one that can be pushed back.
-void CornerContacts::addPastSheets(const Meshes& meshes, double reach) {
+void CornerContacts::addPastSheets(const Meshes& meshes) {
   const MeshFeatures &own = meshes.own, &other = meshes.other;
   if (!other.hasSheets()) return;
   past_.clear();
@@ -139,7 +139,7 @@ void CornerContacts::addPastSheets(const Meshes& meshes, double reach) {
   const auto areOne = [&](const Past& a, const Past& b) { return key(a) == key(b); };
   past_.erase(std::unique(past_.begin(), past_.end(), areOne), past_.end());
   for (const auto& [corner, out, depth] : past_) {
-    const auto hit = closestHit(other.tree(), {meshes.position(corner), out, depth + reach});
+    const auto hit = closestHit(other.tree(), {meshes.position(corner), out, depth + reach_});
     if (hit && other.isSheet(hit->triangle))
       add(meshes, {corner, own.triangleAt(corner), hit->triangle}, out, -hit->t);
   }

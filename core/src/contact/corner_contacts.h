@@ -72,7 +72,7 @@ class CornerContacts {
   void addOverSheet(const Meshes& meshes, const CornerAndFace& pair, const Triangle& face,
                     const Vec3& normal);
   double sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane, const Vec3& normal);
-  void addPastSheets(const Meshes& meshes, double reach);
+  void addPastSheets(const Meshes& meshes);
   void findInside(const Meshes& meshes);
   std::optional<Vec3> wayOfSheet(const Meshes& meshes, std::uint32_t corner) const;
   void addWayOut(const Meshes& meshes, std::uint32_t corner);

@@ -154,11 +154,12 @@ void FeatureContacts::turnSheets(const MeshFeatures& a, const MeshFeatures& b, c
                                  const std::optional<Pose>& b_when_apart, const TrianglePair& pair,
                                  CurveSegment& segment) const {
   const auto turn = [&](Vec3& normal, const Pose& sheet_moved, const Pose& other_moved, const Vec3& middle) {
+    const Vec3 place = 0.5 * (segment.from + segment.to);
     // In a frame in which the sheet does not move.
     const auto heightOf = [&](const Vec3& point) {
-      return normal.dot(sheet_moved.inverse() * (other_moved * point) - segment.from);
+      return normal.dot(sheet_moved.inverse() * (other_moved * point) - place);
     };
-    double height = heightOf(segment.from);
+    double height = heightOf(place);
     if (!(std::abs(height) > not_felt_ * normal.norm())) height = heightOf(middle);
     if (!(height < 0.0)) return;
     normal = -normal;

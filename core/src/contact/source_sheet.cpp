@@ -54,6 +54,10 @@ bool SourceSheet::read(const TriangleSource& source, const Aabb& box) {
   std::vector<SourceTriangle> sorted = fresh_;
   std::ranges::sort(sorted, {}, key);
   sorted.erase(std::unique(sorted.begin(), sorted.end(), areEqual), sorted.end());
+  if (std::ranges::equal(sorted, triangles_, areEqual)) {
+    read_.swap(fresh_);
+    return false;
+  }
   sheet_ = sorted.empty() ? nullptr : std::make_unique<const Sheet>(sorted);
   triangles_.swap(sorted);
   read_.swap(fresh_);

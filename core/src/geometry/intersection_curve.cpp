@@ -78,9 +78,14 @@ Vec3 middleOf(IntersectionCurve curve) {
 }
 
 double extentAlong(const Vec3& way_out, IntersectionCurve curve) {
-  const auto height = [&](const CurveSegment& segment) { return way_out.dot(segment.from); };
-  const auto [low, high] = std::ranges::minmax(curve, {}, height);
-  return height(high) - height(low);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const CurveSegment& segment : curve) {
+    for (const Vec3& end : {segment.from, segment.to}) {
+      low = std::min(low, way_out.dot(end));
+      high = std::max(high, way_out.dot(end));
+    }
+  }
+  return high - low;
 }
 
 double depthAlong(const Vec3& way_out, IntersectionCurve curve) {
