@@ -159,7 +159,7 @@ TEST(SourceSheet, isKeptWhileTheTrianglesAreTheSame) {
     const Vec3 step = testing::randomPoint(random, 0.05);
     place += Vec3(step.x(), step.y(), 0.2 * step.z());
     const MeshFeatures* const last = sheet.isEmpty() ? nullptr : &sheet.features();
-    std::ranges::shuffle(source.triangles, random);  // the order is none of its business
+    std::ranges::shuffle(source.triangles, random);  // the order does not matter
     sheet.read(source, boxAround(place, {0.5, 0.4, 0.3}));
     const std::vector<SourceTriangle> now = trianglesOf(sheet);
     ASSERT_FALSE(now.empty()) << i;
