@@ -79,10 +79,10 @@ void CornerContacts::addOverSheet(const Meshes& meshes, const CornerAndFace& pai
   }
 }
 
-/// 1 if a corner belongs above a plane of a sheet, -1 if below. If it is known where the meshes were apart, and
-/// the corner's way from there crosses sheets an odd number of times, it belongs before the last crossing. If
-/// that place is not known or is on the plane, the middle of the corner's mesh shows the side, unless the other
-/// mesh is smaller. Otherwise, the corner belongs where it is.
+/// 1 if a corner belongs above a plane of a sheet, -1 if below. If it is known where the meshes were apart,
+/// and the corner's way from there crosses sheets an odd number of times, it belongs before the last
+/// crossing. If that place is not known or is on the plane, the middle of the corner's mesh shows the side,
+/// unless the other mesh is smaller. Otherwise, the corner belongs where it is.
 double CornerContacts::sideOf(const Meshes& meshes, std::uint32_t corner, const Vec3& on_plane,
                               const Vec3& normal) {
   const MeshFeatures &own = meshes.own, &other = meshes.other;
