@@ -522,7 +522,8 @@ TEST(SheetContacts, ofRandomSheets_vs_bruteForce) {
     // What has no effect may be wrong, so there are cases where everything has.
     const double spacing = i / 3 % 2 == 0 ? kReach : 1e-5, not_felt = spacing / 40.0;
     contacts.find(a.features, b.features, pose, before, kReach, spacing, found);
-    ASSERT_TRUE(testing::areContactsOf(a.mesh(), b.mesh(), pose, kReach, not_felt, not_felt + 1e-6, found))
+    ASSERT_EQ(testing::faultOfContacts(a.mesh(), b.mesh(), pose, kReach, not_felt, not_felt + 1e-6, found),
+              "")
         << i << ": " << gap;
     ++(found.empty() ? misses : hits);
     meeting += !found.empty() && testing::deepest(found) <= 0.0;
@@ -552,8 +553,9 @@ TEST(SheetContacts, theDeepestContactOfHardMeshesIsFound) {
     const double reach = size * std::pow(10.0, uniform(random, -2, 0));
     const double spacing = i % 2 == 0 ? reach : 1e-5 * size, not_felt = spacing / 40.0;
     contacts.find(a.features, b.features, pose, {}, reach, spacing, found);
-    ASSERT_TRUE(
-        testing::areContactsOf(a.mesh(), b.mesh(), pose, reach, not_felt, not_felt + 1e-6 * size, found))
+    ASSERT_EQ(
+        testing::faultOfContacts(a.mesh(), b.mesh(), pose, reach, not_felt, not_felt + 1e-6 * size, found),
+        "")
         << i;
     if (found.empty()) {
       ++none;

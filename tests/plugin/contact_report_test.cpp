@@ -132,7 +132,7 @@ TEST(ContactReport, aToolAtABlisk_vs_bruteforce) {
                           triangle, std::uint32_t(on_tool.triangle.index)});
       several_blades += on_blisk.blade != (tool_first ? found[0].b : found[0].a).blade;
     }
-    ASSERT_TRUE(testing::areContactsOf(*fan, tool.tree().mesh(), tool_in_blisk, 0.0, 0.0, 1e-4, contacts))
+    ASSERT_EQ(testing::faultOfContacts(*fan, tool.tree().mesh(), tool_in_blisk, 0.0, 0.0, 1e-4, contacts), "")
         << i;
     touching += !found.empty();
   }

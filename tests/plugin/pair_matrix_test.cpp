@@ -119,8 +119,9 @@ TEST_P(ConcavePairs, contacts_vs_bruteforce) {
         ASSERT_NE(id, pair.made.ids.end());
         found[c].triangle_b = static_cast<std::uint32_t>(id - pair.made.ids.begin());
       }
-      ASSERT_TRUE(testing::areContactsOf(*torusMesh(), *pair.made.mesh, pair.other_in_torus, threshold,
-                                         threshold / 40.0, 20 * kNoise, found))
+      ASSERT_EQ(testing::faultOfContacts(*torusMesh(), *pair.made.mesh, pair.other_in_torus, threshold,
+                                         threshold / 40.0, 20 * kNoise, found),
+                "")
           << "pose " << i;
       continue;
     }

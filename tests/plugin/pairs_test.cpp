@@ -107,11 +107,13 @@ TEST(MeshPairs, contacts_vs_bruteforce) {
     world->contactPairTest(&object_b, &object_a, swapped);
     const double threshold = double(gContactBreakingThreshold), not_felt = threshold / 40.0;
     const Pose world_b = fromBullet(object_b.getWorldTransform());
-    ASSERT_TRUE(testing::areContactsOf(*mesh_a, *mesh_b, b_in_a, threshold, not_felt, 1e-4,
-                                       report.contacts(world_a, 0, 0)))
+    ASSERT_EQ(testing::faultOfContacts(*mesh_a, *mesh_b, b_in_a, threshold, not_felt, 1e-4,
+                                       report.contacts(world_a, 0, 0)),
+              "")
         << "pose " << i;
-    ASSERT_TRUE(testing::areContactsOf(*mesh_b, *mesh_a, b_in_a.inverse(), threshold, not_felt, 1e-4,
-                                       swapped.contacts(world_b, 0, 0)))
+    ASSERT_EQ(testing::faultOfContacts(*mesh_b, *mesh_a, b_in_a.inverse(), threshold, not_felt, 1e-4,
+                                       swapped.contacts(world_b, 0, 0)),
+              "")
         << "pose " << i;
     if (!report.points.empty()) {
       ASSERT_NEAR(report.deepest(), swapped.deepest(), 1e-4);
