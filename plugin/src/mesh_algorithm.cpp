@@ -276,7 +276,6 @@ bool MeshAlgorithm::mayPull(const btCollisionShape& other) const {
 
 void MeshAlgorithm::pushBack(PosedShapes& shapes, const btCollisionObjectWrapper& mesh,
                              const btCollisionObjectWrapper& other, btScalar time_step) {
-  const ClusteredOctreeShape* const other_mesh = asOurShape(shapes.other);
   const auto overlap = [this] {
     return std::ranges::any_of(contacts_, [](const Contact& contact) { return contact.distance < 0.0; });
   };
@@ -308,21 +307,18 @@ void MeshAlgorithm::pushBack(PosedShapes& shapes, const btCollisionObjectWrapper
     if (!reference) return convex ? way_back_.noticeApart(shapes.other_in_mesh) : way_back_.noticeOverlap();
     start = *reference;
   }
-  const auto triangles_at = [&](const Contact& contact) {
-    WayBack::OpenTriangles open;
-    if (!shapes.mesh.solid().boundsSolid(contact.triangle_a))
-      open.of_a = triangles.triangle(contact.triangle_a);
-    if (shapes.other.isConcave() && !(other_mesh && other_mesh->solid().boundsSolid(contact.triangle_b)))
-      open.of_b = shapes.other_in_mesh * triangleOfOther(shapes.other, contact)->corners;
-    return open;
+  way_back_.noticeTouch(start);
+  if (!convex) return;  // its features know their sides
+  const auto open_triangle = [&](const Contact& contact) -> std::optional<Triangle> {
+    if (shapes.mesh.solid().boundsSolid(contact.triangle_a)) return std::nullopt;
+    return triangles.triangle(contact.triangle_a);
   };
   const auto crossing = [&](const Vec3& from, const Vec3& to) {
     auto hit = closestHit(shapes.treeOfMesh(), {from, to - from, 1.0});
     if (hit && shapes.mesh.solid().boundsSolid(hit->triangle)) hit.reset();
     return hit;
   };
-  way_back_.pushBack(contacts_, {start, shapes.other_in_mesh}, convex ? &*convex : nullptr, triangles_at,
-                     crossing);
+  way_back_.pushBack(contacts_, shapes.other_in_mesh, *convex, open_triangle, crossing);
 }
 
 void MeshAlgorithm::noticeRoom() {

@@ -16,20 +16,17 @@ class WayBackTest : public ::testing::Test {
   }
 
   /// B moves from a height to another.
-  static WayBack::Step step(double from, double to) {
-    return {{Mat3::Identity(), Vec3(0, 0, from)}, {Mat3::Identity(), Vec3(0, 0, to)}};
-  }
-
-  void pushBack(const WayBack::Step& taken, bool is_convex = true) {
+  void pushBack(double before, double after) {
+    const auto at = [](double height) { return Pose{Mat3::Identity(), Vec3(0, 0, height)}; };
     const auto feet = [this](const Vec3&) { return std::span<const Vec3>(feet_); };
-    const WayBack::ConvexBody body{Vec3::Zero(), feet, kRadius};
     const auto crossing = [](const Vec3& from, const Vec3& to) -> std::optional<RayHit> {
       if (from.z() * to.z() > 0.0) return std::nullopt;
       const double t = from.z() / (from.z() - to.z());
       return RayHit{t, 0, from + t * (to - from), Vec3::UnitZ(), from.z() < 0.0};
     };
+    way_back_.noticeTouch(at(before));
     way_back_.pushBack(
-        contacts_, taken, is_convex ? &body : nullptr, [this](const Contact&) { return triangles_; },
+        contacts_, at(after), {Vec3::Zero(), feet, kRadius}, [this](const Contact&) { return triangle_; },
         crossing);
   }
 
@@ -43,31 +40,29 @@ class WayBackTest : public ::testing::Test {
   WayBack way_back_;
   static constexpr double kFar = 9.0;
   const Triangle surface_{Vec3(-kFar, -kFar, 0), Vec3(kFar, -kFar, 0), Vec3(0, kFar, 0)};
-  WayBack::OpenTriangles triangles_{surface_, std::nullopt};
+  std::optional<Triangle> triangle_ = surface_;
   std::vector<Contact> contacts_;
   static constexpr double kRadius = 0.1;
   std::vector<Vec3> feet_;
 };
 
 TEST_F(WayBackTest, aBodyThatIsThroughIsPushedBack) {
-  for (const bool is_convex : {true, false}) {
-    for (const double from : {0.3, -0.3}) {
-      contacts_ = {push(from > 0.0 ? kDown : kUp, 0.1)};
-      way_back_.noticeApart({});
-      pushBack(step(from, -0.1 * from), is_convex);
-      ASSERT_EQ(contacts_.size(), 1u);
-      EXPECT_EQ(way(), from > 0.0 ? kUp : kDown);
-      EXPECT_NEAR(contacts_[0].distance, -0.33, 1e-12);
-      EXPECT_TRUE(contacts_[0].point_on_a.isZero());
-      EXPECT_NEAR(contacts_[0].point_on_b.z(), from > 0.0 ? -0.33 : 0.33, 1e-12);
-    }
+  for (const double from : {0.3, -0.3}) {
+    contacts_ = {push(from > 0.0 ? kDown : kUp, 0.1)};
+    way_back_.noticeApart({});
+    pushBack(from, -0.1 * from);
+    ASSERT_EQ(contacts_.size(), 1u);
+    EXPECT_EQ(way(), from > 0.0 ? kUp : kDown);
+    EXPECT_NEAR(contacts_[0].distance, -0.33, 1e-12);
+    EXPECT_TRUE(contacts_[0].point_on_a.isZero());
+    EXPECT_NEAR(contacts_[0].point_on_b.z(), from > 0.0 ? -0.33 : 0.33, 1e-12);
   }
 }
 
 TEST_F(WayBackTest, aContactThatPushesBackStaysAndReplacesTheOthers) {
   contacts_ = {push(kDown, 0.1, 0), push(kUp, 0.05, 1), push(kDown, 0.2, 2)};
   way_back_.noticeApart({});
-  pushBack(step(0.3, -0.01));
+  pushBack(0.3, -0.01);
   ASSERT_EQ(contacts_.size(), 1u);
   EXPECT_EQ(contacts_[0].distance, -0.05);
 }
@@ -76,7 +71,7 @@ TEST_F(WayBackTest, feetThatArePastTheSurfaceAreAsDeepAsTheyAre) {
   feet_ = {Vec3(1, 0, 0.05), Vec3(-1, 0, -0.25), Vec3(2, 0, 0.45)};
   contacts_ = {push(kDown, 0.1)};
   way_back_.noticeApart({});
-  pushBack(step(0.3, -0.2));
+  pushBack(0.3, -0.2);
   ASSERT_EQ(contacts_.size(), 2u);  // one of the feet is above the surface
   EXPECT_EQ(way(), kUp);
   EXPECT_NEAR(contacts_[0].distance, -0.15 - kRadius, 1e-12);
@@ -92,7 +87,7 @@ TEST_F(WayBackTest, feetAreFoundAlsoWhereContactsPushAlongTheSurface) {
   contacts_ = {{Vec3::Zero(), Vec3(-0.1, 0, 0), Vec3::UnitX(), -0.1},
                {Vec3::Zero(), Vec3(0.1, 0, 0), -Vec3::UnitX(), -0.1}};
   way_back_.noticeApart({});
-  pushBack(step(0.3, 0.1));
+  pushBack(0.3, 0.1);
   ASSERT_EQ(contacts_.size(), 3u);
   EXPECT_NEAR(contacts_[2].distance, -0.1 - kRadius, 1e-12);
   EXPECT_EQ(contacts_[2].normal, kUp * Vec3::UnitZ());
@@ -103,54 +98,59 @@ TEST_F(WayBackTest, aBodyThatIsThroughStaysSoUntilItIsBack) {
   way_back_.noticeApart({});
   for (const double height : {-0.05, -0.1, -0.05}) {
     contacts_ = {push(kDown, 0.1)};
-    pushBack(step(height + 0.2, height));  // wherever it came from in this step
+    pushBack(height + 0.2, height);  // wherever it came from in this step
     EXPECT_EQ(way(), kUp) << height;
   }
   contacts_ = {push(kUp, 0.1)};
-  pushBack(step(-0.05, 0.05));
+  pushBack(-0.05, 0.05);
   EXPECT_EQ(way(), kUp);
   contacts_ = {push(kDown, 0.1)};  // it was back, and comes from below
-  pushBack(step(-0.1, 0.02));
+  pushBack(-0.1, 0.02);
   EXPECT_EQ(way(), kDown);
 }
 
 TEST_F(WayBackTest, aBodyThatWasAloneOrForgottenStartsAnew) {
   contacts_ = {push(kDown, 0.1)};
   way_back_.noticeApart({});
-  pushBack(step(0.3, -0.1));
+  pushBack(0.3, -0.1);
   EXPECT_EQ(way(), kUp);
   EXPECT_FALSE(way_back_.isNew());
   way_back_.forget();
   EXPECT_TRUE(way_back_.isNew());
   contacts_ = {push(kDown, 0.1)};
-  pushBack(step(-0.3, 0.1));
+  pushBack(-0.3, 0.1);
   EXPECT_EQ(way(), kDown);
 }
 
 TEST_F(WayBackTest, contactsAlongTheSurfaceStay) {
   const Contact at_edge{Vec3::Zero(), Vec3(0, 0, -0.1), Vec3::UnitX(), -0.1};
-  for (const bool is_convex : {true, false}) {
-    contacts_ = {at_edge};
-    way_back_.noticeApart({});
-    pushBack(step(0.3, -0.1), is_convex);
-    EXPECT_EQ(contacts_[0].normal, Vec3::UnitX());
-  }
+  contacts_ = {at_edge};
+  way_back_.noticeApart({});
+  pushBack(0.3, -0.1);
+  EXPECT_EQ(contacts_[0].normal, Vec3::UnitX());
 }
 
-TEST_F(WayBackTest, theSurfaceMayBeOfB) {
-  triangles_ = {std::nullopt, surface_};
-  contacts_ = {push(kDown, 0.1)};
-  way_back_.noticeApart({});
-  pushBack(step(0.3, -0.1), false);
-  EXPECT_EQ(way(), kUp);
-  EXPECT_EQ(contacts_[0].point_on_b, Vec3(0, 0, 0.1));  // on the surface, as before
+/// The features of other bodies know their sides.
+TEST_F(WayBackTest, theReferenceIsWhereTheBodiesWereApart) {
+  const Pose apart{Mat3::Identity(), Vec3::UnitX()}, later{Mat3::Identity(), Vec3::UnitY()};
+  EXPECT_FALSE(way_back_.reference());
+  way_back_.noticeTouch(apart);
+  way_back_.noticeTouch(later);
+  EXPECT_EQ(way_back_.reference()->translation, apart.translation);
+  way_back_.noticeApart(later);
+  EXPECT_FALSE(way_back_.reference());
+  EXPECT_EQ(way_back_.lastApart()->translation, later.translation);
+  way_back_.forget();
+  way_back_.noticeOverlap();
+  way_back_.noticeTouch(apart);
+  EXPECT_FALSE(way_back_.reference());
 }
 
 TEST_F(WayBackTest, contactsOfSolidsStay) {
-  triangles_ = {};
+  triangle_.reset();
   contacts_ = {push(kDown, 0.1), push(kUp, 0.1)};
   way_back_.noticeApart({});
-  pushBack(step(0.3, -0.1));
+  pushBack(0.3, -0.1);
   EXPECT_EQ(contacts_.size(), 2u);
 }
 

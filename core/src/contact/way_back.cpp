@@ -17,14 +17,10 @@ Vec3 reliableNormal(const std::optional<Triangle>& triangle) {
 }
 
 /// Makes a contact push A along a direction. The point on the open surface stays.
-Contact turnedRound(Contact contact, const Vec3& direction, double distance, bool is_surface_of_a) {
+Contact turnedRound(Contact contact, const Vec3& direction, double distance) {
   contact.normal = direction;
   contact.distance = distance;
-  if (is_surface_of_a) {
-    contact.point_on_b = contact.point_on_a - distance * direction;
-  } else {
-    contact.point_on_a = contact.point_on_b + distance * direction;
-  }
+  contact.point_on_b = contact.point_on_a - distance * direction;
   return contact;
 }
 
@@ -48,41 +44,31 @@ void WayBack::addFeet(const ConvexBody& body, const Pose& now, const Vec3& towar
   }
 }
 
-void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const ConvexBody* convex,
-                       FunctionRef<OpenTriangles(const Contact& contact)> triangles_at,
+void WayBack::pushBack(std::vector<Contact>& contacts, const Pose& b_in_a, const ConvexBody& b,
+                       FunctionRef<std::optional<Triangle>(const Contact& contact)> open_triangle,
                        FindCrossing crossing) {
   if (state_ == State::unknown) return;
-  if (state_ == State::fresh || state_ == State::apart) {
-    state_ = State::touching;
-    reference_ = step.start;
-  }
   const bool was_through = state_ == State::through;
-  const Pose to_reference = reference_ * step.now.inverse();
+  const Vec3 before = reference_ * b.middle, way = before - b_in_a * b.middle;
   bool pushes_back = false, overlaps = false;
   Vec3 away = Vec3::Zero();  // the way that A should go, at the last contact that does not push B back
   Contact turned;            // the deepest of the removed contacts
   double deepest = std::numeric_limits<double>::infinity();
   std::size_t kept = 0;
   for (const Contact& contact : contacts) {
-    const OpenTriangles triangles = triangles_at(contact);
-    const Vec3 of_a = reliableNormal(triangles.of_a), of_b = reliableNormal(triangles.of_b);
-    const bool is_of_a = std::abs(of_a.dot(contact.normal)) >= std::abs(of_b.dot(contact.normal));
-    const Vec3& normal = is_of_a ? of_a : of_b;
-    const Vec3& place = is_of_a ? contact.point_on_a : contact.point_on_b;
-    const Vec3 now = convex ? Vec3(step.now * convex->middle) : place, before = to_reference * now;
-    const Vec3 normal_before = is_of_a ? normal : Vec3(to_reference.rotation * normal);
-    const double height = normal_before.dot(before - place);
+    const Vec3 normal = reliableNormal(open_triangle(contact));
+    const double height = normal.dot(before - contact.point_on_a);
     const Vec3 out = std::copysign(1.0, -height) * normal;  // the way that A should go
     const double cosine = out.dot(contact.normal);
     // A contact that does not overlap shows a side only if the body has moved farther than it is away.
     const bool has_side = std::abs(height) > std::max(0.0, contact.distance);
     if (has_side && !(cosine > kAlong)) away = out;
-    const bool is_known = has_side && ((convex && was_through) || std::abs(cosine) > kAlong);
+    const bool is_known = has_side && (was_through || std::abs(cosine) > kAlong);
     if (is_known && !(cosine > kAlong)) {
       state_ = State::through;
       if (contact.distance >= deepest) continue;
       deepest = contact.distance;
-      turned = turnedRound(contact, out, std::min(0.0, out.dot(before - now)), is_of_a);
+      turned = turnedRound(contact, out, std::min(0.0, out.dot(way)));
     } else {
       pushes_back |= is_known;
       overlaps |= contact.distance <= 0.0;
@@ -91,10 +77,10 @@ void WayBack::pushBack(std::vector<Contact>& contacts, const Step& step, const C
   }
   const bool removes = kept < contacts.size();
   contacts.resize(kept);
-  if (convex && !away.isZero(0.0)) addFeet(*convex, step.now, away, crossing, contacts);
+  if (!away.isZero(0.0)) addFeet(b, b_in_a, away, crossing, contacts);
   const bool has_feet = contacts.size() > kept;
   if (has_feet) state_ = State::through;
-  if (convex && !removes && !has_feet && (pushes_back || !was_through)) state_ = State::apart;
+  if (!removes && !has_feet && (pushes_back || !was_through)) state_ = State::apart;
   if (removes && !overlaps && !has_feet) contacts.push_back(turned);
 }
 
