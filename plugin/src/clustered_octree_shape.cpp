@@ -65,8 +65,11 @@ std::shared_ptr<const ClusteredOctree> notNull(std::shared_ptr<const ClusteredOc
 
 ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                            const BuildOptions& options)
-    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)), notNull(mesh_interface).getScaling(),
-                           options) {}
+    : ClusteredOctreeShape(mesh_interface, notNull(mesh_interface).getScaling(), options) {}
+
+ClusteredOctreeShape::ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
+                                           const btVector3& scaling, const BuildOptions& options)
+    : ClusteredOctreeShape(readMeshInterface(notNull(mesh_interface)), scaling, options) {}
 
 ClusteredOctreeShape::ClusteredOctreeShape(InterfaceMesh source, const btVector3& scaling,
                                            const BuildOptions& options)

@@ -1,6 +1,9 @@
 // Saves worlds to .bullet files and loads them again.
 #include "octoblisk_bullet/world_importer.h"
 
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletWorldImporter/btMultiBodyWorldImporter.h>
 #include <LinearMath/btSerializer.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "octoblisk_bullet/adopt_meshes.h"
 #include "octoblisk_bullet/kinematic_body.h"
 #include "plugin/bullet_world.h"
 #include "plugin/shape_over.h"
@@ -119,6 +123,46 @@ TEST(WorldImporter, stockLosesMassesAndShapes) {
   EXPECT_EQ(ours(stock.body(1).getCollisionShape()), nullptr);
   EXPECT_EQ(stock.body(1).getCollisionShape()->getMargin(), scene.ring.getMargin());
   EXPECT_EQ(stock.body(4).getAngularVelocity().length(), btScalar(0));
+}
+
+/// Its bodies cannot move until they are given masses.
+TEST(AdoptMeshes, aWorldOfTheStockImporter) {
+  Scene scene;
+  Loaded<btBulletWorldImporter> stock(saved(*scene.world));
+  const auto massOf = [&](const btRigidBody& body) {
+    const int i = stock.world->getCollisionObjectArray().findLinearSearch(const_cast<btRigidBody*>(&body));
+    return btScalar(i == 0 ? 0 : 1);  // all but the floor
+  };
+  AdoptedMeshes adopted = adoptMeshes(*stock.world, massOf);
+  EXPECT_TRUE(adopted.left().empty());
+  EXPECT_EQ(adopted.replaced().size(), 5u);  // the importer makes the gear once for each compound
+  int moving = 0;
+  for (int i = 0; i < stock.importer.getNumRigidBodies(); ++i) moving += !stock.body(i).isStaticObject();
+  EXPECT_EQ(moving, 6);
+  stock.world.step(240);
+  for (int i = 1; i < stock.importer.getNumRigidBodies(); ++i) {
+    const double height = double(stock.body(i).getWorldTransform().getOrigin().z());
+    EXPECT_GT(height, 0.0) << i;
+    EXPECT_LT(height, 0.9) << i;
+  }
+  adopted.putBack();
+  EXPECT_TRUE(dynamic_cast<btBvhTriangleMeshShape*>(stock.body(0).getCollisionShape()));
+}
+
+TEST(AdoptMeshes, aWorldOfTheMultibodyImporter) {
+  Scene scene;
+  std::vector<char> file = saved(*scene.world);
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+  btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  btMultiBodyWorldImporter importer(&world);
+  ASSERT_TRUE(importer.loadFileFromMemory(file.data(), int(file.size())));
+  AdoptedMeshes adopted = adoptMeshes(world);
+  EXPECT_EQ(adopted.replaced().size(), 5u);
+  adopted.putBack();
+  importer.deleteAllData();
 }
 
 TEST(WorldImporter, shapesAndMassesComeBack) {

@@ -46,6 +46,9 @@ ClusteredOctreeShape final : public btConcaveShape {
   /// ClusteredOctree::build refuses the mesh or the options.
   explicit ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface,
                                 const BuildOptions& options = {});
+  /// The same with this scaling instead of the interface's; throws also as setLocalScaling does.
+  ClusteredOctreeShape(const btStridingMeshInterface* mesh_interface, const btVector3& scaling,
+                       const BuildOptions& options = {});
 
   /// Shares a tree that was built before or mapped from a file (octoblisk/tree_blob.h). readMeshInterface
   /// returns the mesh for such a tree and `part_begin`, the first triangle of each part. Throws
