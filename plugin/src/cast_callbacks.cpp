@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet_convex.h"
+#include "octoblisk/motion.h"
 #include "octoblisk_bullet/convert.h"
+#include "query/triangle_sweep.h"
 #include "query/triangles_along.h"
 #include "shape_bounds.h"
 
@@ -33,60 +36,55 @@ void castRay(btTriangleRaycastCallback& ray, const TriangleHandover& hand_over) 
                        });
 }
 
-/// Tests triangles like the callback's own class, passes its hits on, and keeps the fraction beyond which
-/// hits no longer matter.
-class ForwardingSweep final : public btTriangleConvexcastCallback {
- public:
-  explicit ForwardingSweep(btTriangleConvexcastCallback& target)
-      : btTriangleConvexcastCallback(target.m_convexShape, target.m_convexShapeFrom, target.m_convexShapeTo,
-                                     target.m_triangleToWorld, target.m_triangleCollisionMargin),
-        target_(target) {
-    m_hitFraction = target.m_hitFraction;
-    m_allowedPenetration = target.m_allowedPenetration;
-  }
+/// A convex body that Bullet sweeps, in the frame of the triangles.
+struct ConvexSweep {
+  Motion motion;
+  double tolerance;  ///< of distances
+  double distance;   ///< from the triangles, at an impact
+  MovingBox box;     ///< around the body, as large as that distance
 
-  btScalar reportHit(const btVector3& normal, const btVector3& point, btScalar fraction, int part,
-                     int triangle) override {
-    const btScalar wanted = target_.reportHit(normal, point, fraction, part, triangle);
-    m_hitFraction = std::min(m_hitFraction, target_.m_hitFraction);
-    // Other callbacks return any value, because Bullet ignores it: 0 or 1 from callbacks that want all hits.
-    if (wanted == fraction) m_hitFraction = std::min(m_hitFraction, fraction);
-    return wanted;
+  explicit ConvexSweep(const btTriangleConvexcastCallback& sweep)
+      : motion(fromBullet(sweep.m_triangleToWorld).inverse() * fromBullet(sweep.m_convexShapeFrom),
+               fromBullet(sweep.m_triangleToWorld).inverse() * fromBullet(sweep.m_convexShapeTo)),
+        distance(double(sweep.m_triangleCollisionMargin) - double(sweep.m_allowedPenetration)) {
+    const Pose& from = motion.from();
+    const Aabb bounds = shapeBounds(*sweep.m_convexShape);
+    box.motion = motion.advance();
+    if (motion.angle() == 0.0) {
+      box.start = from * obbOf(bounds);
+    } else {
+      box.start = {from.translation, Mat3::Identity(), Vec3::Constant(bounds.farthestFromOrigin())};
+    }
+    // The rounding of two poses in Bullet's precision, and that of searches for closest points.
+    const double precision = std::max(8.0 * double(SIMD_EPSILON), 1e-9);
+    tolerance = precision * (largest(from.translation) + largest(box.motion) + box.start.half_extents.norm() +
+                             largest(fromBullet(sweep.m_convexShapeFrom.getOrigin())));
+    box.start.half_extents.array() += std::max(0.0, distance) + 2.0 * tolerance;
   }
-
- private:
-  btTriangleConvexcastCallback& target_;
 };
 
-/// The box around a moving convex body, in the frame of the triangles.
-MovingBox movingBoxOf(const btTriangleConvexcastCallback& sweep) {
-  const btTransform to_triangles = sweep.m_triangleToWorld.inverse();
-  const Pose from = fromBullet(to_triangles * sweep.m_convexShapeFrom);
-  const Pose to = fromBullet(to_triangles * sweep.m_convexShapeTo);
-  const Aabb bounds = shapeBounds(*sweep.m_convexShape);
-  MovingBox box;
-  box.motion = to.translation - from.translation;
-  if (sweep.m_convexShapeFrom.getBasis() == sweep.m_convexShapeTo.getBasis()) {
-    box.start = from * obbOf(bounds);
-  } else {  // the body also turns about its origin
-    const double radius = bounds.farthestFromOrigin();
-    box.start = {from.translation, Mat3::Identity(), Vec3::Constant(radius)};
-  }
-  // Bullet's time of impact is when the bodies are this near, world units.
-  constexpr double kImpactDistance = 0.001;
-  const double size = largest(from.translation) + largest(to.translation) + box.start.half_extents.norm();
-  box.start.half_extents.array() += 2.0 * kImpactDistance + std::abs(double(sweep.m_allowedPenetration)) +
-                                    std::max(0.0, double(sweep.m_triangleCollisionMargin)) + kRounding * size;
-  return box;
-}
-
-void castConvex(btTriangleConvexcastCallback& sweep, const TriangleHandover& hand_over) {
-  ForwardingSweep forwarding(sweep);
-  forEachTriangleAlong(hand_over.tree(), movingBoxOf(sweep), double(forwarding.m_hitFraction),
-                       [&](std::uint32_t triangle, double) {
-                         hand_over(forwarding, triangle);
-                         return double(forwarding.m_hitFraction);
-                       });
+void castConvex(btTriangleConvexcastCallback& callback, const TriangleHandover& hand_over) {
+  ConvexCore support_only;
+  const BulletConvex convex(*callback.m_convexShape, support_only);
+  const ConvexSweep sweep(callback);
+  const btTransform& to_world = callback.m_triangleToWorld;
+  btScalar last = callback.m_hitFraction;
+  forEachTriangleAlong(hand_over.tree(), sweep.box, double(last), [&](std::uint32_t triangle, double) {
+    const std::optional<TriangleImpact> impact =
+        detail::sweep(hand_over.tree().mesh().triangle(triangle), convex, sweep.motion, sweep.distance,
+                      sweep.tolerance, double(last));
+    if (!impact) return double(last);
+    const btScalar fraction = btScalar(impact->fraction);
+    const Vec3 to_convex = -impact->contact.normal;
+    const Vec3 point = impact->contact.point_on_a + double(callback.m_triangleCollisionMargin) * to_convex;
+    const TriangleId id = hand_over.id(triangle);
+    const btScalar wanted = callback.reportHit(to_world.getBasis() * toBullet(to_convex),
+                                               to_world * toBullet(point), fraction, id.part, id.index);
+    last = std::min(last, callback.m_hitFraction);
+    // Other callbacks return any value, because Bullet ignores it: 0 or 1 from callbacks that want all hits.
+    if (wanted == fraction) last = std::min(last, fraction);
+    return double(last);
+  });
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ class TriangleHandover {
       : tree_(tree), parts_(parts), box_(box) {}
 
   const ClusteredOctree& tree() const { return tree_; }
+  TriangleId id(std::uint32_t triangle) const { return parts_.id(triangle); }
   void operator()(btTriangleCallback& callback, std::uint32_t triangle) const;
 
  private:
@@ -28,16 +29,16 @@ class TriangleHandover {
   const Aabb box_;
 };
 
-/// If the callback is a btTriangleRaycastCallback or a btTriangleConvexcastCallback, passes it the triangles
-/// along its motion, roughly nearest first, and returns true. Otherwise returns false.
+/// If the callback is a btTriangleRaycastCallback or a btTriangleConvexcastCallback, finds its hits among the
+/// triangles along its motion, roughly nearest first, and returns true. Otherwise returns false.
 ///
 /// A ray's callback gets every triangle that it may count as a hit below its m_hitFraction, including its
 /// tolerance at edges. Its hits are therefore those of the generic code.
 ///
-/// A sweep's callback gets its hits through reportHit. They are the hits of the generic code, found by
-/// Bullet's own btTriangleConvexcastCallback::processTriangle; an override in a derived class is not called.
-/// Bullet does not change a sweep's m_hitFraction. Here, if reportHit returns exactly the fraction that it
-/// was given, as closest-hit callbacks do, farther hits are skipped from then on.
+/// A sweep's callback gets its hits through reportHit; its processTriangle is not called. They are the exact
+/// impacts on each triangle (query/triangle_sweep.h). Bullet's own sweep stops 0.001 units before a triangle,
+/// and misses some. Bullet does not change a sweep's m_hitFraction. Here, if reportHit returns exactly the
+/// fraction that it was given, as closest-hit callbacks do, farther hits are skipped from then on.
 bool castTriangles(btTriangleCallback& callback, const TriangleHandover& hand_over);
 
 }  // namespace octoblisk::detail
