@@ -61,6 +61,12 @@ function(octoblisk_bullet_physics target precision)
   if(BULLET2_MULTITHREADING)  # Bullet's own option; its headers differ with it
     target_compile_definitions(${target} INTERFACE BT_THREADSAFE=1)
   endif()
+  find_file(header LinearMath/btScalar.h PATHS ${include_dirs} NO_DEFAULT_PATH NO_CACHE)
+  if(header AND NOT OctoBlisk_FIND_QUIETLY)
+    file(STRINGS ${header} version REGEX "define BT_BULLET_VERSION")
+    string(REGEX REPLACE ".* ([0-9]+)([0-9][0-9])" "\\1.\\2" version "${version}")
+    message(STATUS "OctoBlisk: Bullet ${version}, ${precision} precision, in ${include_dirs}")
+  endif()
 endfunction()
 
 octoblisk_bullet_physics(OctoBlisk::bullet_physics single)
