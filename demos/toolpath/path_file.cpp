@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "io/input_file.h"
 #include "io/new_file.h"
 #include "toolpath/cl_motions.h"
+#include "toolpath/machine_program.h"
 #include "toolpath/pose_file.h"
 
 namespace octoblisk::demos {
@@ -99,6 +101,12 @@ bool isClFile(const std::filesystem::path& file) {
 }
 
 PathFile readPathFile(const std::filesystem::path& file, const ClusteredOctree& blisk) {
+  if (const auto program = machineProgramIn(file)) {
+    throw std::runtime_error(
+        file.string() + ": seems to be " + std::string(*program) +
+        ", not a toolpath: export the path from the CAM system as a CL file (APT), or as a "
+        "table of poses (octoblisk path writes examples)");
+  }
   PathFile path;
   if (!isClFile(file)) {
     for (const auto& [motion, line] : readMotionRows(file)) {

@@ -236,6 +236,23 @@ TEST_F(ClFiles, knowsEitherKindOfFileByExtensionOrContent) {
   EXPECT_FALSE(isClFile(folder_.write("empty", "")));
 }
 
+TEST_F(ClFiles, programsOfMachinesAreNamed) {
+  const auto tree =
+      ClusteredOctree::build(std::make_shared<const TriangleMesh>(makeDefaultBlisk(10'000).mesh));
+  const std::pair<const char*, const char*> programs[] = {
+      {"G-code", "%\nO1000 (BLADE)\nN10 G21 G90\nN20 G0 X1.5 Y-2 Z30\nN30 G1 Z.5 F200\nX3 Y4\nM30\n%\n"},
+      {"G-code", "; made by a slicer\nG28\nG1 X1 Y2 E0.3\nG1 X2 Y2 E0.6\n"},
+      {"a Heidenhain program", "0 BEGIN PGM BLADE MM\n1 L X+1 Y+2 Z+3 R0 FMAX\n2 END PGM BLADE MM\n"},
+      {"a KUKA KRL program", "&ACCESS RVP\nDEF blade( )\nLIN {X 1,Y 2,Z 3,A 0,B 90,C 0}\nEND\n"},
+      {"an ABB RAPID program", "MODULE Blade\n  PROC main()\n    MoveL p10, v100, fine, tool1;\n  ENDPROC\n"},
+      {"a FANUC TP program", "/PROG  BLADE\n/MN\n   1:L P[1] 100mm/sec FINE ;\n/END\n"}};
+  for (const auto& [language, text] : programs) {
+    const auto read = [&] { readPathFile(folder_.write("program.txt", text), tree); };
+    EXPECT_THAT(messageOf<std::runtime_error>(read),
+                AllOf(HasSubstr("program.txt: seems to be "), HasSubstr(language)));
+  }
+}
+
 TEST_F(ClFiles, sixNumbersAreCompletedByTheSurface) {
   const Blisk blisk = makeDefaultBlisk(10'000);
   const auto tree = ClusteredOctree::build(std::make_shared<const TriangleMesh>(blisk.mesh));
