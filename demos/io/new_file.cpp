@@ -8,6 +8,9 @@
 #include <utility>
 
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr std::string_view kUnfinished = "unfinished-";

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "io/system_file.h"
+#include "base/file.h"
 
 namespace octoblisk::demos {
+
+using detail::OpenFile;
 
 /// True if the name refers to something that can be written to but not replaced: a device or a pipe, this
 /// process's standard output or error, or "-", which means standard output.

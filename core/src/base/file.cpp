@@ -12,84 +12,166 @@
 #undef far
 #undef near
 #else
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #endif
 
-#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
 
 namespace octoblisk::detail {
+
+#ifdef _WIN32
+
 namespace {
 
-// The calls of the operating system. Those that fail set errno.
-#ifdef _WIN32
+/// Sets errno to the last error of Windows.
+void setErrno() {
+  const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
+  errno = error.default_error_condition().value();
+}
+
+OpenFile opened(HANDLE handle) {
+  if (handle == INVALID_HANDLE_VALUE) {
+    setErrno();
+    return {};
+  }
+  const int descriptor = ::_open_osfhandle(reinterpret_cast<std::intptr_t>(handle), _O_RDWR | _O_BINARY);
+  return OpenFile(descriptor < 0 ? nullptr : ::_fdopen(descriptor, "r+b"));
+}
 
 using Status = struct _stat64;
 
-int openToRead(const std::filesystem::path& file) {
-  return ::_wopen(file.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
-}
+int readStatus(std::FILE* file, Status& status) { return ::_fstat64(::_fileno(file), &status); }
 
-int createNew(const std::filesystem::path& file) {
-  return ::_wopen(file.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
-                  _S_IREAD | _S_IWRITE);
-}
-
-int readStatus(int descriptor, Status& status) { return ::_fstat64(descriptor, &status); }
-
-std::ptrdiff_t writeSome(int descriptor, std::span<const std::byte> bytes) {
-  constexpr std::size_t kMax = 1u << 30;
-  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMax)));
-}
-
-int flush(int descriptor) { return ::_commit(descriptor); }
-
-int closeDescriptor(int descriptor) { return ::_close(descriptor); }
-
-const void* mapped(int descriptor, std::size_t) {
-  const auto file = reinterpret_cast<HANDLE>(::_get_osfhandle(descriptor));
-  const HANDLE mapping = ::CreateFileMappingW(file, nullptr, PAGE_READONLY, 0, 0, nullptr);
+const void* mapped(std::FILE* file, std::size_t) {
+  const auto handle = reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(file)));
+  const HANDLE mapping = ::CreateFileMappingW(handle, nullptr, PAGE_READONLY, 0, 0, nullptr);
   const void* const address = mapping == nullptr ? nullptr : ::MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0);
-  const std::error_code error(static_cast<int>(::GetLastError()), std::system_category());
+  if (address == nullptr) setErrno();
   if (mapping != nullptr) ::CloseHandle(mapping);  // the address keeps the file mapped
-  if (address == nullptr) errno = error.default_error_condition().value();
   return address;
 }
 
 void unmap(std::span<const std::byte> bytes) { ::UnmapViewOfFile(bytes.data()); }
 
+}  // namespace
+
+OpenFile openFile(const std::filesystem::path& file, const char* mode) {
+  return OpenFile(::_wfopen(file.c_str(), std::filesystem::path(mode).c_str()));
+}
+
+OpenFile createFile(const std::filesystem::path& file) {
+  return opened(::CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, 0, nullptr, CREATE_NEW,
+                              FILE_ATTRIBUTE_NORMAL, nullptr));
+}
+
+OpenFile openStream(int stream) {
+  ::_setmode(stream, _O_BINARY);
+  return OpenFile(::_fdopen(::_dup(stream), "wb"));
+}
+
+OpenFile openTemporary() {
+  std::array<wchar_t, MAX_PATH + 1> folder = {}, file = {};
+  if (::GetTempPathW(folder.size(), folder.data()) == 0 ||
+      ::GetTempFileNameW(folder.data(), L"oct", 0, file.data()) == 0) {
+    setErrno();
+    return {};
+  }
+  return opened(::CreateFileW(file.data(), GENERIC_READ | GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS,
+                              FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, nullptr));
+}
+
+OpenFile openLocked(const std::filesystem::path& file, bool& is_locked) {
+  const HANDLE handle =
+      ::CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr,
+                    OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
+  is_locked = handle == INVALID_HANDLE_VALUE && ::GetLastError() == ERROR_SHARING_VIOLATION;
+  return opened(handle);
+}
+
+bool flushToDisk(std::FILE* file) { return std::fflush(file) == 0 && ::_commit(::_fileno(file)) == 0; }
+
+bool seekTo(std::FILE* file, std::uint64_t offset) {
+  return ::_fseeki64(file, static_cast<std::int64_t>(offset), SEEK_SET) == 0;
+}
+
+bool truncateTo(std::FILE* file, std::uint64_t size) {
+  errno = ::_chsize_s(::_fileno(file), static_cast<std::int64_t>(size));
+  return errno == 0;
+}
+
+int streamOf(const std::filesystem::path& file) { return file == "-" ? 1 : 0; }
+
 #else
+
+namespace {
 
 using Status = struct stat;
 
-int openToRead(const std::filesystem::path& file) { return ::open(file.c_str(), O_RDONLY | O_CLOEXEC); }
+int readStatus(std::FILE* file, Status& status) { return ::fstat(::fileno(file), &status); }
 
-int createNew(const std::filesystem::path& file) {
-  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+/// True if the name refers to the open file.
+bool isNamed(const std::filesystem::path& name, int descriptor) {
+  Status opened = {}, named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(name.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-int readStatus(int descriptor, Status& status) { return ::fstat(descriptor, &status); }
-
-std::ptrdiff_t writeSome(int descriptor, std::span<const std::byte> bytes) {
-  return ::write(descriptor, bytes.data(), bytes.size());
-}
-
-int flush(int descriptor) { return ::fsync(descriptor); }
-
-int closeDescriptor(int descriptor) { return ::close(descriptor); }
-
-const void* mapped(int descriptor, std::size_t size) {
-  const void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+const void* mapped(std::FILE* file, std::size_t size) {
+  const void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, ::fileno(file), 0);
   return address == MAP_FAILED ? nullptr : address;
 }
 
 void unmap(std::span<const std::byte> bytes) { ::munmap(const_cast<std::byte*>(bytes.data()), bytes.size()); }
 
+}  // namespace
+
+OpenFile openFile(const std::filesystem::path& file, const char* mode) {
+  return OpenFile(std::fopen(file.c_str(), mode));
+}
+
+OpenFile createFile(const std::filesystem::path& file) { return OpenFile(std::fopen(file.c_str(), "wbx")); }
+
+OpenFile openStream(int stream) { return OpenFile(::fdopen(::dup(stream), "wb")); }
+
+OpenFile openTemporary() { return OpenFile(std::tmpfile()); }
+
+OpenFile openLocked(const std::filesystem::path& file, bool& is_locked) {
+  is_locked = false;
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  OpenFile opened(descriptor < 0 ? nullptr : ::fdopen(descriptor, "r+b"));
+  if (!opened) return opened;
+  is_locked = (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) ||
+              !isNamed(file, descriptor);  // another process has renamed it
+  return is_locked ? OpenFile() : std::move(opened);
+}
+
+bool flushToDisk(std::FILE* file) { return std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0; }
+
+bool seekTo(std::FILE* file, std::uint64_t offset) {
+  return ::fseeko(file, static_cast<off_t>(offset), SEEK_SET) == 0;
+}
+
+bool truncateTo(std::FILE* file, std::uint64_t size) {
+  return ::ftruncate(::fileno(file), static_cast<off_t>(size)) == 0;
+}
+
+int streamOf(const std::filesystem::path& file) {
+  if (file == "-") return STDOUT_FILENO;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (isNamed(file, stream)) return stream;
+  }
+  return 0;
+}
+
 #endif
+
+namespace {
 
 [[noreturn]] void fail(const char* what, const std::filesystem::path& file, std::error_code error) {
   throw std::system_error(error, std::string(what) + ' ' + file.string());
@@ -97,58 +179,31 @@ void unmap(std::span<const std::byte> bytes) { ::munmap(const_cast<std::byte*>(b
 
 std::error_code lastError() { return {errno, std::generic_category()}; }
 
-/// An open file, which is closed by the destructor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) closeDescriptor(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-  int close() { return closeDescriptor(std::exchange(number_, -1)); }
-
- private:
-  int number_;
-};
-
 /// Creates a new file beside another, and returns its name in `beside`.
-int openBeside(const std::filesystem::path& file, std::filesystem::path& beside) {
+OpenFile createBeside(const std::filesystem::path& file, std::filesystem::path& beside) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
     beside = file;
     beside += ".new" + std::to_string(i);
-    const int number = createNew(beside);
-    if (number >= 0 || errno != EEXIST) return number;
+    OpenFile created = createFile(beside);
+    if (created || errno != EEXIST) return created;
   }
-  return -1;
-}
-
-bool writeAll(int descriptor, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const std::ptrdiff_t written = writeSome(descriptor, bytes);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
+  return {};
 }
 
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& file) {
-  const Descriptor opened(openToRead(file));
-  if (opened.number() < 0) fail("cannot open", file, lastError());
+  const OpenFile opened = openFile(file, "rb");
+  if (!opened) fail("cannot open", file, lastError());
   Status status = {};
-  if (readStatus(opened.number(), status) != 0) fail("cannot read", file, lastError());
+  if (readStatus(opened.get(), status) != 0) fail("cannot read", file, lastError());
   if ((status.st_mode & S_IFMT) != S_IFREG) {
     fail("cannot map", file, std::make_error_code(std::errc::invalid_argument));
   }
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size == 0) return;  // an empty file cannot be mapped
-  const void* const address = mapped(opened.number(), size);
+  const void* const address = mapped(opened.get(), size);
   if (address == nullptr) fail("cannot map", file, lastError());
   bytes_ = {static_cast<const std::byte*>(address), size};
 }
@@ -159,11 +214,12 @@ MappedFile::~MappedFile() {
 
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   std::filesystem::path beside;
-  Descriptor opened(openBeside(file, beside));
-  if (opened.number() < 0) fail("cannot create a file beside", file, lastError());
-  const bool is_written = writeAll(opened.number(), bytes) && flush(opened.number()) == 0;
+  OpenFile opened = createBeside(file, beside);
+  if (!opened) fail("cannot create a file beside", file, lastError());
+  const bool is_written =
+      std::fwrite(bytes.data(), 1, bytes.size(), opened.get()) == bytes.size() && flushToDisk(opened.get());
   std::error_code error = is_written ? std::error_code() : lastError();
-  if (opened.close() != 0 && !error) error = lastError();
+  if (std::fclose(opened.release()) != 0 && !error) error = lastError();
   if (!error) std::filesystem::rename(beside, file, error);
   if (!error) return;
   std::error_code ignored;
