@@ -1,26 +1,22 @@
 #include "render/plot.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 
+#include "base/file.h"
 #include "io/new_file.h"
 
-extern char** environ;
-
 namespace octoblisk::demos {
+
+using namespace detail;
+
 namespace {
 
 constexpr const char* kMissing =
@@ -57,22 +53,11 @@ std::string styleOf(SeriesStyle style) {
   return {};
 }
 
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int number) : number_(number) {}
-  ~FileDescriptor() { close(); }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-
-  int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_;
-};
+std::string restOf(std::FILE* file) {
+  std::string text;
+  for (int byte = std::getc(file); byte != EOF; byte = std::getc(file)) text += static_cast<char>(byte);
+  return text;
+}
 
 struct Answer {
   int exit_code = -1;
@@ -80,79 +65,27 @@ struct Answer {
   std::string words;  ///< its standard error
 };
 
-/// Sends the text and receives the answer at the same time, so that neither end blocks.
-std::string sendAndReceive(int socket, std::string_view text) {
-  std::string taken;
-  std::array<char, 65536> buffer;
-  bool sends = true;
-  for (;;) {
-    if (sends && text.empty()) {
-      ::shutdown(socket, SHUT_WR);
-      sends = false;
-    }
-    pollfd ready{socket, static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0};
-    if (::poll(&ready, 1, -1) < 0 && errno != EINTR) return taken;
-    if (sends && (ready.revents & POLLOUT) != 0) {
-      const ssize_t sent = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (sent > 0) text.remove_prefix(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno != EINTR && errno != EAGAIN)
-        text = {};  // gnuplot has failed; its answer says why
-    }
-    if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
-    const ssize_t read = ::recv(socket, buffer.data(), buffer.size(), MSG_DONTWAIT);
-    if (read < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (read <= 0) return taken;
-    taken.append(buffer.data(), static_cast<std::size_t>(read));
-  }
-}
-
-std::string wordsIn(int file) {
-  std::string content;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t read = ::pread(file, buffer.data(), buffer.size(), static_cast<off_t>(content.size()));
-    if (read < 0 && errno == EINTR) continue;
-    if (read <= 0) return content;
-    content.append(buffer.data(), static_cast<std::size_t>(read));
-  }
-}
-
-/// Runs gnuplot on the script. The script is sent through a socket, not a pipe: if gnuplot has failed,
-/// writing then gives an error instead of a signal.
-Answer runGnuplot(std::string_view script) {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+/// Runs gnuplot on the script, by the shell. The script and gnuplot's words are in nameless files.
+Answer runGnuplot(const std::string& script) {
+  constexpr int kNotFound = 127, kNotRun = 126;  // of the shell
+  const auto refuse = [](int error) {
     throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
-                             std::strerror(errno));
+                             std::strerror(error));
+  };
+  const OpenFile input = openTemporary(), words = openTemporary();
+  if (!input || !words || std::fputs(script.c_str(), input.get()) < 0 || std::fflush(input.get()) != 0) {
+    refuse(errno);
   }
-  FileDescriptor ours(ends[0]), its(ends[1]);
-  const FileDescriptor words(::memfd_create("gnuplot", MFD_CLOEXEC));
-  if (words.number() < 0) {
-    throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
-                             std::strerror(errno));
-  }
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  for (const int stream : {0, 1}) ::posix_spawn_file_actions_adddup2(&actions, its.number(), stream);
-  ::posix_spawn_file_actions_adddup2(&actions, words.number(), 2);
-  std::string name = "gnuplot";
-  std::array<char*, 2> arguments = {name.data(), nullptr};
-  pid_t process = 0;
-  const int failure = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (failure == ENOENT) throw std::runtime_error(kMissing);
-  if (failure != 0)
-    throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
-                             std::strerror(failure));
-  its.close();
-
+  const auto nameOf = [](const OpenFile& file) { return "/dev/fd/" + std::to_string(::fileno(file.get())); };
+  std::FILE* const pipe = ::popen(("gnuplot <" + nameOf(input) + " 2>" + nameOf(words)).c_str(), "r");
+  if (!pipe) refuse(errno);
   Answer answer;
-  answer.drawn = sendAndReceive(ours.number(), script);
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  answer.drawn = restOf(pipe);
+  const int status = ::pclose(pipe);
   answer.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  answer.words = wordsIn(words.number());
+  if (answer.exit_code == kNotFound) throw std::runtime_error(kMissing);
+  if (answer.exit_code == kNotRun) refuse(EACCES);
+  answer.words = restOf(words.get());
   return answer;
 }
 
