@@ -7,7 +7,7 @@ set(check_files octoblisk_check
   command_line/partition_option command_line/study_options command_line/subcommand_help
   command_line/subcommand_names command_line/units_option
   commands/check commands/check_summary
-  io/csv_table io/mesh_file io/mesh_file_check io/new_file io/ply_check io/progress_bar
+  io/csv_table io/mesh_file io/mesh_file_check io/new_file io/progress_bar
   models/defect_words models/welded_surface
   study/handout study/launch study/node_inputs study/part_text study/ranks_alone study/run_study study/shard
   study/stop_signal study/study study/study_journal
