@@ -3,8 +3,8 @@
 #include <numbers>
 #include <random>
 
+#include "gallery/gallery_scene.h"
 #include "gallery/rigid_scene.h"
-#include "gallery/scenes.h"
 #include "models/blisk.h"
 #include "shapes/seeded.h"
 

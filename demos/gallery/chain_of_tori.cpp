@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gallery/gallery_scene.h"
 #include "gallery/rigid_scene.h"
-#include "gallery/scenes.h"
 
 namespace octoblisk::gallery {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "gallery/bullet_mesh.h"
 #include "gallery/bullet_world.h"
-#include "gallery/scenes.h"
+#include "gallery/gallery_scene.h"
 #include "octoblisk/clustered_octree.h"
 #include "shapes/bodies.h"
 

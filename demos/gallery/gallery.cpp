@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "gallery/belt_on_blade.h"
-#include "gallery/scenes.h"
+#include "gallery/gallery_scene.h"
 #include "io/new_file.h"
 #include "io/whole_files.h"
 #include "render/contact_sheet.h"

@@ -43,4 +43,16 @@ struct Exhibit {
   int frame_height = 330;  ///< pixels, with the caption
 };
 
+// The scenes, one per file; each file begins with a description. `tree` has the build options of their
+// shapes.
+
+std::unique_ptr<GalleryScene> makeHelloShape(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeChainOfTori(int links, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makePile(int bodies, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeTower(int cylinders, const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeClothBesideGimpact(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeGearTrain(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeNutOnBolt(const BuildOptions& tree = {});
+std::unique_ptr<GalleryScene> makeBliskAndDebris(int bodies, const BuildOptions& tree = {});
+
 }  // namespace octoblisk::gallery

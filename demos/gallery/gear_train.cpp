@@ -1,8 +1,8 @@
 // Gears on axles: the first has a motor; the teeth turn the others.
 #include <numbers>
 
+#include "gallery/gallery_scene.h"
 #include "gallery/rigid_scene.h"
-#include "gallery/scenes.h"
 
 namespace octoblisk::gallery {
 namespace {

@@ -1,6 +1,6 @@
 // The simplest program: a ring falls over a peg. Its convex hull would lie on the peg.
+#include "gallery/gallery_scene.h"
 #include "gallery/rigid_scene.h"
-#include "gallery/scenes.h"
 #include "shapes/sheets.h"
 
 namespace octoblisk::gallery {

@@ -1,8 +1,8 @@
 // An M16 nut runs down its bolt without friction. Only the contacts of the threads guide it.
 #include "gallery/nut_on_bolt.h"
 
+#include "gallery/gallery_scene.h"
 #include "gallery/rigid_scene.h"
-#include "gallery/scenes.h"
 
 namespace octoblisk::gallery {
 namespace {

@@ -1,6 +1,6 @@
 // A pile of concave parts: rings, gears, channels and lumps dropped on a wavy floor.
 #include "gallery/concave_pile.h"
-#include "gallery/scenes.h"
+#include "gallery/gallery_scene.h"
 
 namespace octoblisk::gallery {
 namespace {

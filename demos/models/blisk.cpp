@@ -8,8 +8,8 @@
 
 #include "models/blade_surface.h"
 #include "models/length_limit.h"
+#include "models/require.h"
 #include "models/ring.h"
-#include "models/sector_builder.h"
 #include "models/sector_mesh.h"
 
 namespace octoblisk::demos {
@@ -133,9 +133,6 @@ void requireClearPassages(const BladeGrid& blade, double pitch, bool shrouded) {
 }
 
 void requireUsable(const BliskOptions& options, const RadiusProfile& hub) {
-  const auto require = [](bool holds, const std::string& message) {
-    if (!holds) throw std::invalid_argument(message);
-  };
   require(options.blade_count >= 2 && options.blade_count <= kMaxBlades,
           "the number of blades must be from 2 to " + std::to_string(kMaxBlades));
   require(options.bore_radius > 0.0, "the bore radius must be above 0 mm");

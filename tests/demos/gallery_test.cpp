@@ -9,7 +9,7 @@
 
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
-#include "gallery/scenes.h"
+#include "gallery/gallery_scene.h"
 #include "render/contact_sheet.h"
 
 namespace octoblisk::gallery {
