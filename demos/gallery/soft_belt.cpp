@@ -7,9 +7,11 @@
 
 #include "models/belt_path.h"
 #include "models/blisk_axis.h"
+#include "models/orientation.h"
 #include "models/require.h"
 #include "octoblisk_bullet/convert.h"
 #include "shapes/bodies.h"
+#include "shapes/grid_mesh.h"
 
 namespace octoblisk::gallery {
 namespace {
@@ -208,29 +210,15 @@ double SoftBelt::meanSpeed() const {
 
 TriangleMesh SoftBelt::mesh() const {
   const int across = options_.nodes_across;
-  std::vector<Vec3> vertices;
-  for (int station = 0; station < options_.stations; ++station) {
-    for (const double side : {0.5, -0.5}) {
-      for (int i = 0; i < across; ++i) {
-        const int k = side > 0.0 ? i : across - 1 - i;
-        const Vec3 along = node(station + 1, k) - node(station - 1, k);
-        const Vec3 width = node(station, across - 1) - node(station, 0);
-        const Vec3 outward = width.cross(along).normalized();
-        vertices.push_back(node(station, k) + side * options_.sizes.thickness * outward);
-      }
-    }
-  }
-  std::vector<TriangleMesh::Indices> triangles;
-  const auto at = [&](int station, int k) {
-    return static_cast<std::uint32_t>((station % options_.stations) * 2 * across + k % (2 * across));
+  const auto point_at = [&](int station, int i) -> Vec3 {
+    const double side = i < across ? 0.5 : -0.5;
+    const int k = i < across ? i : 2 * across - 1 - i;
+    const Vec3 along = node(station + 1, k) - node(station - 1, k);
+    const Vec3 width = node(station, across - 1) - node(station, 0);
+    const Vec3 outward = width.cross(along).normalized();
+    return node(station, k) + side * options_.sizes.thickness * outward;
   };
-  for (int station = 0; station < options_.stations; ++station) {
-    for (int k = 0; k < 2 * across; ++k) {
-      triangles.push_back({at(station, k), at(station + 1, k + 1), at(station + 1, k)});
-      triangles.push_back({at(station, k), at(station, k + 1), at(station + 1, k + 1)});
-    }
-  }
-  return {std::move(vertices), std::move(triangles)};
+  return demos::turned(*shapes::gridMesh(options_.stations, 2 * across, true, true, point_at));
 }
 
 std::vector<TriangleMesh> SoftBelt::wheelMeshes() const {

@@ -9,8 +9,10 @@
 
 #include "models/belt_path.h"
 #include "models/length_limit.h"
+#include "models/orientation.h"
 #include "models/require.h"
 #include "shapes/box.h"
+#include "shapes/grid_mesh.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -85,31 +87,14 @@ TriangleMesh band(const BeltParameters& p, double low, double high) {
   const int outer_points = p.points_per_station / 2;
   const int inner_points = p.points_per_station - outer_points;
 
-  std::vector<Vec3> vertices;
-  for (int station = 0; station < p.stations; ++station) {
+  const auto point_at = [&](int station, int k) -> Vec3 {
     const auto [point, normal] = path.at(static_cast<double>(station) / p.stations);
-    for (int k = 0; k < outer_points; ++k) {
-      const double z = p.width * (static_cast<double>(k) / (outer_points - 1) - 0.5);
-      vertices.push_back(point + high * normal + Vec3(0.0, 0.0, z));
-    }
-    for (int k = 0; k < inner_points; ++k) {
-      const double z = p.width * (0.5 - static_cast<double>(k) / (inner_points - 1));
-      vertices.push_back(point + low * normal + Vec3(0.0, 0.0, z));
-    }
-  }
-
-  const auto at = [&](int station, int k) {
-    return static_cast<std::uint32_t>((station % p.stations) * p.points_per_station +
-                                      k % p.points_per_station);
+    const bool is_outer = k < outer_points;
+    const double z = is_outer ? p.width * (static_cast<double>(k) / (outer_points - 1) - 0.5)
+                              : p.width * (0.5 - static_cast<double>(k - outer_points) / (inner_points - 1));
+    return point + (is_outer ? high : low) * normal + Vec3(0.0, 0.0, z);
   };
-  std::vector<TriangleMesh::Indices> triangles;
-  for (int station = 0; station < p.stations; ++station) {
-    for (int k = 0; k < p.points_per_station; ++k) {
-      triangles.push_back({at(station, k), at(station + 1, k + 1), at(station + 1, k)});
-      triangles.push_back({at(station, k), at(station, k + 1), at(station + 1, k + 1)});
-    }
-  }
-  return TriangleMesh(std::move(vertices), std::move(triangles));
+  return turned(*shapes::gridMesh(p.stations, p.points_per_station, true, true, point_at));
 }
 
 void requireTwoLayers(const BeltParameters& p) {

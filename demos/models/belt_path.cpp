@@ -22,27 +22,22 @@ BeltPath::BeltPath(const BeltParameters& p)
 }
 
 BeltPath::Station BeltPath::at(double fraction) const {
-  double turned = 0.0;
-  double rest = fraction;
-  std::size_t piece = 0;
-  while (piece + 1 < pieces_.size() && rest > share(pieces_[piece])) {
-    rest -= share(pieces_[piece]);
-    turned += pieces_[piece].turn;
-    ++piece;
-  }
-  return onPiece(piece, rest / share(pieces_[piece]), turned);
+  return stationAt(fraction, [this](const Piece& piece) { return share(piece); });
 }
 
 BeltPath::Station BeltPath::atLength(double length) const {
+  return stationAt(length, [](const Piece& piece) { return piece.length; });
+}
+
+template <typename Measure>
+BeltPath::Station BeltPath::stationAt(double rest, const Measure& measure) const {
   double turned = 0.0;
-  double rest = length;
   std::size_t piece = 0;
-  while (piece + 1 < pieces_.size() && rest > pieces_[piece].length) {
-    rest -= pieces_[piece].length;
+  for (; piece + 1 < pieces_.size() && rest > measure(pieces_[piece]); ++piece) {
+    rest -= measure(pieces_[piece]);
     turned += pieces_[piece].turn;
-    ++piece;
   }
-  return onPiece(piece, rest / pieces_[piece].length, turned);
+  return onPiece(piece, rest / measure(pieces_[piece]), turned);
 }
 
 BeltPath::Station BeltPath::onPiece(std::size_t piece, double part, double turned) const {

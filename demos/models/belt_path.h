@@ -45,6 +45,10 @@ class BeltPath {
   /// The piece's share of the measure that `at` uses.
   double share(const Piece& piece) const;
 
+  /// The station after a part of the line, given the measure of a piece.
+  template <typename Measure>
+  Station stationAt(double rest, const Measure& measure) const;
+
   /// At a fraction 0..1 of a piece; the pieces before it have turned by `turned`.
   Station onPiece(std::size_t piece, double part, double turned) const;
 

@@ -6,8 +6,7 @@
 
 namespace octoblisk::demos {
 
-WeldedSurface::WeldedSurface(const TriangleMesh& source) : mesh(source), corners(source.triangles()) {
-  const std::vector<Vec3>& vertices = mesh.vertices();
+std::vector<std::uint32_t> firstAtSamePlace(std::span<const Vec3> vertices) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t v) {
@@ -19,6 +18,12 @@ WeldedSurface::WeldedSurface(const TriangleMesh& source) : mesh(source), corners
     const bool repeats = k > 0 && key(order[k]) == key(order[k - 1]);
     first[order[k]] = repeats ? first[order[k - 1]] : order[k];
   }
+  return first;
+}
+
+WeldedSurface::WeldedSurface(const TriangleMesh& source) : mesh(source), corners(source.triangles()) {
+  const std::vector<Vec3>& vertices = mesh.vertices();
+  const std::vector<std::uint32_t> first = firstAtSamePlace(vertices);
   for (TriangleMesh::Indices& triangle : corners) {
     const auto [a, b, c] = triangle;
     const auto [least, greatest] =

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "octoblisk/triangle_mesh.h"
@@ -11,6 +12,9 @@ namespace octoblisk::demos {
 
 /// A point's distance from the Z axis.
 inline double radiusOf(const Vec3& point) { return std::hypot(point.x(), point.y()); }
+
+/// For each vertex, the one that stands for all vertices at its place.
+std::vector<std::uint32_t> firstAtSamePlace(std::span<const Vec3> vertices);
 
 /// A mesh, the vertices that its triangles share, and the range of radii of each triangle.
 struct WeldedSurface {

@@ -1,34 +1,17 @@
 #include "render/corner_normals.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 
+#include "models/welded_surface.h"
+
 namespace octoblisk::demos {
 namespace {
 
-/// For each vertex, the number of its place; vertices at the same place share it.
-std::vector<std::uint32_t> placesOf(std::span<const Vec3> vertices) {
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    return std::lexicographical_compare(vertices[a].begin(), vertices[a].end(), vertices[b].begin(),
-                                        vertices[b].end());
-  };
-  std::sort(order.begin(), order.end(), before);
-
-  std::vector<std::uint32_t> place(vertices.size());
-  std::uint32_t current = 0;
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    if (rank > 0 && vertices[order[rank - 1]] != vertices[order[rank]]) ++current;
-    place[order[rank]] = current;
-  }
-  return place;
-}
-
-/// The triangles around each place: those of place p are triangles[first[p]] … triangles[first[p + 1] − 1].
+/// The triangles around each place: those of the place of vertex p are triangles[first[p]] …
+/// triangles[first[p + 1] − 1].
 struct Fans {
   std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> triangles;
@@ -55,7 +38,7 @@ Fans fansOf(std::span<const std::uint32_t> place, std::span<const TriangleMesh::
 std::vector<CornerNormals> cornerNormals(std::span<const Vec3> vertices,
                                          std::span<const TriangleMesh::Indices> triangles,
                                          double crease_angle) {
-  const std::vector<std::uint32_t> place = placesOf(vertices);
+  const std::vector<std::uint32_t> place = firstAtSamePlace(vertices);
   const Fans fans = fansOf(place, triangles);
 
   std::vector<Vec3> area_normals;  // of twice the triangle's area in length

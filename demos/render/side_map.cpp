@@ -1,8 +1,8 @@
 #include "render/side_map.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace octoblisk::demos {
 namespace {
@@ -12,35 +12,25 @@ Image::Pixel pixelOf(const Color& color) {
   return {byte(color.r), byte(color.g), byte(color.b), 255};
 }
 
-/// The visible rectangle of the unrolled side.
-struct MapExtent {
-  double arc_min = std::numeric_limits<double>::infinity(), arc_max = -arc_min;
-  double height_min = arc_min, height_max = -arc_min;
-
-  void extend(const MapCell& cell) {
-    arc_min = std::min(arc_min, cell.arc - cell.half_width);
-    arc_max = std::max(arc_max, cell.arc + cell.half_width);
-    height_min = std::min(height_min, cell.height - cell.half_height);
-    height_max = std::max(height_max, cell.height + cell.half_height);
-  }
-};
-
 }  // namespace
 
 Image sideMap(std::span<const MapCell> cells, const Annotation& annotation, int width, int height) {
-  MapExtent extent;
-  for (const MapCell& cell : cells) extent.extend(cell);
+  Eigen::AlignedBox2d extent;  // of arc length and height
+  for (const MapCell& cell : cells) {
+    const Eigen::Vector2d middle(cell.arc, cell.height), half(cell.half_width, cell.half_height);
+    extent.extend(middle - half).extend(middle + half);
+  }
   Image page(width, height, {255, 255, 255, 255});
   const Layout layout(annotation, width, height);
   constexpr double kUsed = 0.92;
   double unit = 1.0;  // pixels per mm
   if (!cells.empty()) {
-    unit = kUsed * std::min(width / std::max(1e-9, extent.arc_max - extent.arc_min),
-                            layout.sceneHeight() / std::max(1e-9, extent.height_max - extent.height_min));
+    unit = kUsed * std::min(width / std::max(1e-9, extent.sizes().x()),
+                            layout.sceneHeight() / std::max(1e-9, extent.sizes().y()));
   }
-  const double left = 0.5 * width - 0.5 * unit * (extent.arc_min + extent.arc_max);
+  const double left = 0.5 * width - 0.5 * unit * (extent.min().x() + extent.max().x());
   const double bottom =
-      layout.sceneTop() + 0.5 * layout.sceneHeight() + 0.5 * unit * (extent.height_min + extent.height_max);
+      layout.sceneTop() + 0.5 * layout.sceneHeight() + 0.5 * unit * (extent.min().y() + extent.max().y());
   for (const MapCell& cell : cells) {
     const auto column = [&](double arc) {
       return std::clamp(static_cast<int>(std::lround(left + unit * arc)), 0, width);
