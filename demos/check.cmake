@@ -3,9 +3,7 @@ octoblisk_require(CLI11 libcli11-dev CONFIG)
 octoblisk_require(assimp libassimp-dev CONFIG)
 octoblisk_require(Threads libc6-dev)
 set(check_files octoblisk_check
-  command_line/command_line command_line/help_formatter command_line/manual command_line/option_checks
-  command_line/partition_option command_line/study_options command_line/subcommand_help
-  command_line/subcommand_names command_line/units_option
+  command_line/command_line command_line/help command_line/manual command_line/options command_line/units_option
   commands/check commands/check_summary
   io/csv_table io/mesh_file io/mesh_file_check io/new_file io/progress_bar
   models/defect_words models/welded_surface

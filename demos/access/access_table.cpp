@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "io/csv_table.h"
-#include "io/exact_number.h"
 #include "io/input_file.h"
 #include "io/new_file.h"
+#include "io/number_text.h"
 #include "io/quoted_text.h"
 
 namespace octoblisk::demos {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "command_line/option_checks.h"
+#include "command_line/options.h"
 #include "io/quoted_text.h"
 #include "models/length_limit.h"
 
@@ -41,16 +41,17 @@ BliskAxis axisOf(const std::string& text) {
 }  // namespace
 
 void addBliskOptions(CLI::App& command, std::string& blisk, std::string& axis) {
-  command
-      .add_option("--blisk", blisk, "Mesh file of the blisk, in any position. Default: the built-in blisk")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      .add_option("--axis", axis,
-                  "Axis of the blisk, x,y,z[,px,py,pz]: the direction from leading to trailing edge, and a "
-                  "point on the axis (0,0,0 if not given), in the mesh's frame. Default: found from the mesh")
-      ->type_name("AXIS")
-      ->check(notEmpty());
+  addFile(command, "--blisk", blisk, "Mesh file of the blisk, in any position. Default: the built-in blisk");
+  addFile(command, "--axis", axis,
+          "Axis of the blisk, x,y,z[,px,py,pz]: the direction from leading to trailing edge, and a "
+          "point on the axis (0,0,0 if not given), in the mesh's frame. Default: found from the mesh",
+          "AXIS");
+}
+
+void addConvexOption(CLI::App& command, std::string& convex) {
+  addChoice(command, "--convex", convex, {"forward", "backward"},
+            "Convex side of the blades: forward, towards greater angles, or backward. Default: found "
+            "from the blades' camber");
 }
 
 BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const std::string& mesh_name) {
@@ -67,6 +68,32 @@ BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const s
     return findBlisk(mesh, given);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(mesh_name + ": " + error.what());
+  }
+}
+
+BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name) {
+  try {
+    return findAnatomy(blisk, found.blades);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(mesh_name + ": " + error.what());
+  }
+}
+
+BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, const std::string& mesh_name) {
+  if (convex == "forward") return BladeSide::forward;
+  if (convex == "backward") return BladeSide::backward;
+  if (anatomy.convex_side) return *anatomy.convex_side;
+  throw std::runtime_error(mesh_name +
+                           ": the blades are too straight to find their convex side: give it with --convex");
+}
+
+std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input) {
+  if (!convex.empty()) return convex == "forward" ? BladeSide::forward : BladeSide::backward;
+  if (input.blades.count == 0) return std::nullopt;
+  try {
+    return findAnatomy(moved(input.blisk->mesh(), input.mesh_in_blisk), input.blades).convex_side;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "command_line/blisk_options.h"
-#include "command_line/option_checks.h"
+#include "command_line/options.h"
 #include "command_line/print_message.h"
 #include "command_line/units_option.h"
 #include "grinding/ground_blade.h"
@@ -168,62 +168,33 @@ void addGrinderOptions(CLI::App& command, GrinderFiles& files) {
       command, files.tool_units,
       "Length unit of the meshes of --belt or --tool; auto selects it by the largest mesh. Default: mm",
       "--tool-units");
-  CLI::Option* const belt = command
-                                .add_option("--belt", files.belt,
-                                            "Mesh file of a belt, checked without wheels and arm (mm, "
-                                            "contact wheel at the origin, arm along +x). "
-                                            "Default: the built-in grinder with belt, wheels and arm")
-                                ->type_name("FILE")
-                                ->check(notEmpty());
-  command
-      .add_option("--tool", files.tool,
-                  "JSON file with a tool's parts, what each may touch and the distance that it must keep "
-                  "from the rest; 'octoblisk make grinder' writes an example")
-      ->type_name("FILE")
-      ->check(notEmpty())
+  CLI::Option* const belt = addFile(
+      command, "--belt", files.belt,
+      "Mesh file of a belt, checked without wheels and arm (mm, contact wheel at the origin, arm along "
+      "+x). Default: the built-in grinder with belt, wheels and arm");
+  addFile(command, "--tool", files.tool,
+          "JSON file with a tool's parts, what each may touch and the distance that it must keep "
+          "from the rest; 'octoblisk make grinder' writes an example")
       ->excludes(belt);
-  command
-      .add_option(
-          "--obstacle", files.obstacles,
-          "Mesh file of a fixed body that the tool must not touch, for example a clamp or a table, in "
-          "the blisk's frame and unit; may be repeated")
-      ->type_name("MESH[,NAME]")
-      ->allow_extra_args(false)
-      ->check(notEmpty());
-  command.add_option("-o,--out", files.out, "Folder to write to; created if missing")
-      ->type_name("DIR")
-      ->required()
-      ->check(notEmpty());
-  command
-      .add_option("--ground-blade", files.ground_blade,
-                  "Number of the blade to be ground. Default: 1, or with --path the blade that the belt "
-                  "touches at the greatest number of poses")
-      ->type_name("N")
-      ->check(wholeNumberFrom(1, kMaxBladesOfBlisk));
-  command
-      .add_option(
-          "--max-depth", files.max_depth,
-          "Greatest penetration depth of belt and ground blade: how deep the deepest point of either is "
-          "in the other. A tool file may give a depth for each part")
-      ->type_name("MM")
-      ->check(numberFrom(0.0, kMaxLength))
-      ->capture_default_str();
-  command
-      .add_option("--threads", files.threads,
-                  "Number of threads; 0: all cores of the machine. The answers are the same for any number")
-      ->type_name("N")
-      ->check(wholeNumberFrom(0, 1024))
-      ->capture_default_str();
+  addOption(command, "--obstacle", files.obstacles, "MESH[,NAME]", notEmpty(),
+            "Mesh file of a fixed body that the tool must not touch, for example a clamp or a table, in "
+            "the blisk's frame and unit; may be repeated")
+      ->allow_extra_args(false);
+  addOut(command, files.out, "Folder to write to; created if missing", "DIR");
+  addOption(command, "--ground-blade", files.ground_blade, "N", wholeNumberFrom(1, kMaxBladesOfBlisk),
+            "Number of the blade to be ground. Default: 1, or with --path the blade that the belt "
+            "touches at the greatest number of poses");
+  addOption(command, "--max-depth", files.max_depth, "MM", numberFrom(0.0, kMaxLength),
+            "Greatest penetration depth of belt and ground blade: how deep the deepest point of either is "
+            "in the other. A tool file may give a depth for each part");
+  addOption(command, "--threads", files.threads, "N", wholeNumberFrom(0, 1024),
+            "Number of threads; 0: all cores of the machine. The answers are the same for any number");
 }
 
 void addMarginOption(CLI::App& command, double& margin) {
-  command
-      .add_option(
-          "--margin", margin,
-          "Clearance that all parts must keep, except the belt from the ground blade; 0: they must not touch")
-      ->type_name("MM")
-      ->check(numberFrom(0.0, kMaxMargin))
-      ->capture_default_str();
+  addOption(
+      command, "--margin", margin, "MM", numberFrom(0.0, kMaxMargin),
+      "Clearance that all parts must keep, except the belt from the ground blade; 0: they must not touch");
 }
 
 GrinderInput readGrinder(const GrinderFiles& files_asked) {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "command_line/help_formatter.h"
+#include "command_line/help.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -172,15 +172,9 @@ std::string fullNameOf(const CLI::App& command) {
 }
 
 std::string usageOf(const CLI::App& command) {
-  std::string call = fullNameOf(command);
-  if (!entriesOf(command).empty()) call += " [OPTIONS]";
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->nonpositional()) continue;
-    std::string name = option->get_name(true);
-    if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) name += "...";
-    call += option->get_required() ? ' ' + name : " [" + name + ']';
-  }
-  return call + (command.get_subcommands({}).empty() ? "" : " SUBCOMMAND");
+  constexpr std::size_t kLabel = 7;  // "Usage: "
+  const std::string usage = HelpFormatter().make_usage(&command, fullNameOf(command));
+  return usage.substr(kLabel, usage.size() - kLabel - 1);
 }
 
 void writeCommand(Page& page, const CLI::App& command, int level);

@@ -1,6 +1,7 @@
 #include "command_line/terminal_watch.h"
 
 #include <iostream>
+#include <optional>
 
 namespace octoblisk::demos {
 
@@ -16,6 +17,15 @@ RunWatch TerminalWatch::watch() {
   };
   watch.stop = [] { return StopSignal::received() != 0; };
   return watch;
+}
+
+void writePngWatched(const Picture& picture, const std::string& path) {
+  std::optional<ProgressBar> bar;
+  const Image page = render(picture, kPageWidth, kPageHeight, 0, [&](std::size_t done, std::size_t bands) {
+    if (!bar) bar.emplace(std::cerr, bands);
+    bar->update(done);
+  });
+  writePng(page, path);
 }
 
 }  // namespace octoblisk::demos

@@ -7,6 +7,7 @@
 
 #include "grinding/run_watch.h"
 #include "io/progress_bar.h"
+#include "render/picture.h"
 #include "study/stop_signal.h"
 
 namespace octoblisk::demos {
@@ -33,5 +34,8 @@ class TerminalWatch {
   std::string task_;
   std::optional<ProgressBar> bar_;
 };
+
+/// Renders the page to a PNG file and shows the progress. Throws as writePng (picture.h).
+void writePngWatched(const Picture& picture, const std::string& path);
 
 }  // namespace octoblisk::demos

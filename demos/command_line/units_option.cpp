@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "command_line/option_checks.h"
+#include "command_line/options.h"
 #include "command_line/print_message.h"
 #include "io/number_text.h"
 
@@ -30,7 +30,7 @@ LengthUnit unitOf(const std::string& units) {
 }  // namespace
 
 void addUnitsOption(CLI::App& command, std::string& units, const std::string& help, const std::string& name) {
-  command.add_option(name, units, help)->check(oneOf({"mm", "m", "in", "auto"}))->type_name("UNIT");
+  addChoice(command, name, units, {"mm", "m", "in", "auto"}, help);
 }
 
 std::string unitsFor(const std::string& units, double size, const std::filesystem::path& file) {

@@ -9,12 +9,10 @@
 #include <string>
 
 #include "command_line/blisk_options.h"
-#include "command_line/convex_option.h"
 #include "command_line/grinder_input.h"
-#include "command_line/option_checks.h"
-#include "command_line/out_folder.h"
-#include "command_line/picture_bar.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
+#include "command_line/terminal_watch.h"
 #include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "io/new_file.h"
@@ -125,10 +123,7 @@ void addBladesCommand(CLI::App& app, int& exit_code) {
   addBliskOptions(command, request->blisk, request->axis);
   addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
-  command.add_option("-o,--out", request->out, "Folder for blades.csv and blades.png; created if missing")
-      ->type_name("DIR")
-      ->required()
-      ->check(notEmpty());
+  addOut(command, request->out, "Folder for blades.csv and blades.png; created if missing", "DIR");
   command.add_flag("--no-picture", request->no_picture, "Do not write the picture");
   command.callback([request, &exit_code] { exit_code = findAndPrint(*request); });
 }

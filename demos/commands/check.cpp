@@ -10,18 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "command_line/option_checks.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "command_line/print_message.h"
-#include "command_line/study_options.h"
-#include "command_line/subcommand_help.h"
 #include "command_line/units_option.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
-#include "io/exact_number.h"
 #include "io/mesh_file.h"
 #include "io/new_file.h"
+#include "io/number_text.h"
 #include "octoblisk/batch.h"
-#include "octoblisk/build_options.h"
 #include "study/node_inputs.h"
 #include "study/run_study.h"
 #include "toolpath/pose_check.h"
@@ -35,13 +33,11 @@ struct CheckRequest {
   std::string poses;
   StudyTarget target;
   std::string units;  // empty: the unit of the poses
-  BuildOptions tree;
   PoseCheckOptions options;
 };
 
 ClusteredOctree treeOfFile(Ranks& ranks, const std::string& file, const CheckRequest& request) {
-  return treeOncePerNode(
-      ranks, [&] { return inMillimetres(readMesh(file), request.units, file); }, request.tree);
+  return treeOncePerNode(ranks, [&] { return inMillimetres(readMesh(file), request.units, file); });
 }
 
 std::string columnsOf(const PoseCheckOptions& options) {
@@ -95,11 +91,6 @@ Study studyOf(const CheckRequest& request, const ClusteredOctree& fixed, const C
   study.inputs = {{"fixed", fingerprintOf(fixed.mesh())},
                   {"moving", fingerprintOf(moving.mesh())},
                   {"poses", fingerprintOf(poses)}};
-  // If several pairs meet, the tree decides which pair the table names.
-  if (request.tree.partition == PartitionKind::paper) {
-    study.inputs.push_back({"clusters", static_cast<std::uint64_t>(request.tree.clusters)});
-    study.inputs.push_back({"fnop", static_cast<std::uint64_t>(request.tree.leaf_capacity)});
-  }
   study.options = optionsLine(request.options);
   return study;
 }
@@ -161,29 +152,21 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "check");
   const auto request = std::make_shared<CheckRequest>();
   const std::string mesh_help = ", in mesh units: .stl, .obj or .ply";
-  command.add_option("--fixed", request->fixed, "Mesh that stays in place" + mesh_help)
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
-  command.add_option("--moving", request->moving, "Mesh that moves" + mesh_help)
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
-  command
-      .add_option("--poses", request->poses,
-                  "Poses of the moving mesh in the fixed mesh's frame, a CSV file x,y,z,qw,qx,qy,qz: a "
-                  "translation in mesh units and a unit quaternion")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
+  addFile(command, "--fixed", request->fixed, "Mesh that stays in place" + mesh_help)->required();
+  addFile(command, "--moving", request->moving, "Mesh that moves" + mesh_help)->required();
+  addFile(command, "--poses", request->poses,
+          "Poses of the moving mesh in the fixed mesh's frame, a CSV file x,y,z,qw,qx,qy,qz: a "
+          "translation in mesh units and a unit quaternion")
+      ->required();
   addUnitsOption(
       command, request->units,
       "Length unit of both meshes: mm, m, in, or auto, which selects each mesh's unit by its size. Poses, "
       "tolerance and results are then in mm. Default: all lengths share one unit, whichever it is");
-  addStudyOptions(command, request->target,
-                  "CSV file to write, or - for standard output: "
-                  "pose,colliding,triangle_fixed,triangle_moving, all counted from 0. Where colliding is 1, "
-                  "the row names a triangle pair that meets. The columns of the options below follow");
+  addOut(command, request->target.out,
+         "CSV file to write, or - for standard output: "
+         "pose,colliding,triangle_fixed,triangle_moving, all counted from 0. Where colliding is 1, "
+         "the row names a triangle pair that meets. The columns of the options below follow");
+  addShardOptions(command, request->target);
   PoseCheckOptions& options = request->options;
   command.add_flag(
       "--clearance", options.clearance,
@@ -210,20 +193,12 @@ void addCheckCommand(CLI::App& app, int& exit_code) {
       "tolerance; 1 for the whole motion, empty at the first pose. On a motion the centre of the moving "
       "mesh's bounding box moves along a straight line, while the mesh rotates at a constant rate by the "
       "smaller of the two possible angles");
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "Accuracy of depths, and the distance that motions must keep, in mesh units. Motions that "
-                  "slide at little more than this distance take long to prove")
-      ->type_name("LENGTH")
-      ->capture_default_str()
-      ->check(numberFrom(1e-9, 1e9));
-  command
-      .add_option("--threads", options.threads,
-                  "Number of threads; 0: all cores of the machine, or a share of them under mpirun. The "
-                  "answers are the same for any number")
-      ->type_name("N")
-      ->capture_default_str()
-      ->check(wholeNumberFrom(0, 1024));
+  addOption(command, "--tolerance", options.tolerance, "LENGTH", numberFrom(1e-9, 1e9),
+            "Accuracy of depths, and the distance that motions must keep, in mesh units. Motions that "
+            "slide at little more than this distance take long to prove");
+  addOption(command, "--threads", options.threads, "N", wholeNumberFrom(0, 1024),
+            "Number of threads; 0: all cores of the machine, or a share of them under mpirun. The "
+            "answers are the same for any number");
   command.callback([request, &exit_code] { exit_code = check(*request); });
 }
 

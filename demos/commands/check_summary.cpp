@@ -4,7 +4,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "io/exact_number.h"
 #include "io/number_text.h"
 #include "io/quoted_text.h"
 

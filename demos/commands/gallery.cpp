@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "command_line/option_checks.h"
-#include "command_line/partition_option.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "commands/commands.h"
 #include "io/quoted_text.h"
 
@@ -30,11 +29,7 @@ std::string sceneNames() {
 }
 
 void showAsked(const GalleryRequest& request) {
-  std::error_code error;
-  std::filesystem::create_directories(request.out, error);
-  if (error)
-    throw std::runtime_error(request.out + ": cannot create the folder: " + error.message() +
-                             ": choose another --out");
+  makeFolder(request.out);
   bool is_known = false;
   for (const gallery::Exhibit& exhibit : gallery::exhibits()) {
     if (request.scene != "all" && request.scene != exhibit.name) continue;
@@ -58,10 +53,7 @@ void addGalleryCommand(CLI::App& app, int&) {
   command.add_option("scene", request->scene, "One of: " + sceneNames())
       ->type_name("SCENE")
       ->capture_default_str();
-  command.add_option("-o,--out", request->out, "Folder for SCENE.png and SCENE.csv; created if missing")
-      ->type_name("DIR")
-      ->required()
-      ->check(notEmpty());
+  addOut(command, request->out, "Folder for SCENE.png and SCENE.csv; created if missing", "DIR");
   addPartitionOption(command, request->tree);
   command.callback([request] { showAsked(*request); });
 }

@@ -6,15 +6,11 @@
 #include <memory>
 #include <optional>
 
-#include "command_line/convex_option.h"
+#include "command_line/blisk_options.h"
 #include "command_line/grinder_input.h"
-#include "command_line/option_checks.h"
-#include "command_line/out_folder.h"
-#include "command_line/partition_option.h"
-#include "command_line/picture_bar.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "command_line/print_message.h"
-#include "command_line/report_option.h"
-#include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
 #include "grinding/coverage.h"
@@ -198,31 +194,19 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
   addGrinderOptions(command, request->files);
   addPartitionOption(command, request->files.tree);
   addConvexOption(command, request->convex);
-  command
-      .add_option("--path", request->files.path,
-                  "CSV file x,y,z,qw,qx,qy,qz[,feed] with poses of the belt in the blisk's frame (mm), or an "
-                  "APT CL file, whose tool axis is the arm. Default: a path along a blade's side")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      .add_option("--near-miss", request->near_miss,
-                  "Clearance below which a near miss is reported, for pairs without a margin in the tool "
-                  "file; above 0, at most 5")
-      ->type_name("MM")
-      ->check(numberFrom(0.0, kMaxNearMiss, true))
-      ->capture_default_str();
-  command
-      .add_flag("--continuous,!--poses-only", request->continuous,
-                "Check the motions between poses too, or only the poses")
-      ->capture_default_str();
-  command
-      .add_option("--belt-speed", request->belt_speed,
-                  "Speed of the belt in m/s. A positive speed runs from the contact side at -x over the "
-                  "strand at +y to the drive wheel; a negative speed runs the other way. contacts.csv then "
-                  "has the surface velocity at each contact of the belt. A tool file may give each part's "
-                  "speed")
-      ->type_name("M/S")
-      ->check(numberFrom(-kMaxBeltSpeed, kMaxBeltSpeed));
+  addFile(command, "--path", request->files.path,
+          "CSV file x,y,z,qw,qx,qy,qz[,feed] with poses of the belt in the blisk's frame (mm), or an "
+          "APT CL file, whose tool axis is the arm. Default: a path along a blade's side");
+  addOption(command, "--near-miss", request->near_miss, "MM", numberFrom(0.0, kMaxNearMiss, true),
+            "Clearance below which a near miss is reported, for pairs without a margin in the tool "
+            "file; above 0, at most 5");
+  command.add_flag("--continuous,!--poses-only", request->continuous,
+                   "Check the motions between poses too, or only the poses");
+  addOption(command, "--belt-speed", request->belt_speed, "M/S", numberFrom(-kMaxBeltSpeed, kMaxBeltSpeed),
+            "Speed of the belt in m/s. A positive speed runs from the contact side at -x over the "
+            "strand at +y to the drive wheel; a negative speed runs the other way. contacts.csv then "
+            "has the surface velocity at each contact of the belt. A tool file may give each part's "
+            "speed");
   SpindleOptions& spindle = request->spindle_options;
   const std::string forces = "Forces (the defaults are assumed values)";
   CLI::Option* const has_spindle =
@@ -232,10 +216,7 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
           ->group(forces);
   const auto add_number = [&](const std::string& name, double& value, const std::string& help,
                               const std::string& unit, double most, bool above) {
-    command.add_option(name, value, help)
-        ->type_name(unit)
-        ->check(numberFrom(0.0, most, above))
-        ->capture_default_str()
+    addOption(command, name, value, unit, numberFrom(0.0, most, above), help)
         ->needs(has_spindle)
         ->group(forces);
   };
@@ -248,13 +229,9 @@ void addGrindCommand(CLI::App& app, int& exit_code) {
   add_number("--density", spindle.density, "Density of the blisk in kg/mm³", "KG/MM3", 1e-3, true);
   command.add_flag("--no-pictures", request->no_pictures, "Do not write the pictures");
   addReportOption(command, request->report);
-  command
-      .add_option("--frames", request->frames,
-                  "Number of poses, evenly spaced over the path, to picture in OUT/frames and together in "
-                  "contact_sheet.png")
-      ->type_name("N")
-      ->check(wholeNumberFrom(0, kMaxFrames))
-      ->capture_default_str();
+  addOption(command, "--frames", request->frames, "N", wholeNumberFrom(0, kMaxFrames),
+            "Number of poses, evenly spaced over the path, to picture in OUT/frames and together in "
+            "contact_sheet.png");
   command.callback([request, &exit_code] { exit_code = grind(*request); });
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "command_line/option_checks.h"
-#include "command_line/picture_bar.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
+#include "command_line/terminal_watch.h"
 #include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "io/mesh_file.h"
@@ -66,29 +66,19 @@ int inspectFile(const InspectRequest& request) {
 void addInspectCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "inspect");
   const auto request = std::make_shared<InspectRequest>();
-  command.add_option("MESH", request->mesh, "Mesh file: .stl, .obj or .ply")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
+  addFile(command, "MESH", request->mesh, "Mesh file: .stl, .obj or .ply")->required();
   addUnitsOption(
       command, request->units,
       "Length unit of the mesh: mm, m, in, or auto, which selects the unit by the mesh's size. Results "
       "are then in mm. Default: results are in the unit of the file");
   command.add_flag("--json", request->json,
                    "Print one JSON object, with all holes and the first ten places of each other defect");
-  command
-      .add_option(
-          "--picture", request->picture,
+  addFile(command, "--picture", request->picture,
           "PNG file to write: the mesh with holes, cracks, T-junctions, sheets and triangles that face "
-          "inward or intersect, in colours")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      .add_option("--close", request->closed,
-                  "Mesh file to write: the mesh with its planar holes closed, in the unit of the input. The "
-                  "extension selects the format: .stl (binary), .obj or .ply (binary)")
-      ->type_name("FILE")
-      ->check(notEmpty());
+          "inward or intersect, in colours");
+  addFile(command, "--close", request->closed,
+          "Mesh file to write: the mesh with its planar holes closed, in the unit of the input. The "
+          "extension selects the format: .stl (binary), .obj or .ply (binary)");
   command.callback([request, &exit_code] { exit_code = inspectFile(*request); });
 }
 

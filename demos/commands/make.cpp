@@ -10,9 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "command_line/option_checks.h"
-#include "command_line/out_folder.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "commands/commands.h"
 #include "grinding/tool_file.h"
 #include "io/mesh_file.h"
@@ -31,12 +30,7 @@ void writeAndReport(const std::string& file, const TriangleMesh& mesh) {
             << " x " << size.y() << " x " << size.z() << " mm\n";
 }
 
-void addOut(CLI::App& command, std::string& out) {
-  command.add_option("-o,--out", out, "File to write: .stl (binary), .obj or .ply (binary)")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
-}
+constexpr const char* kOutHelp = "File to write: .stl (binary), .obj or .ply (binary)";
 
 /// Any length or angle; the generators report sizes that they cannot use.
 CLI::Validator size() { return numberFrom(-kMaxLength, kMaxLength); }
@@ -74,60 +68,43 @@ void addBlisk(CLI::App& make) {
   const auto request = std::make_shared<BliskRequest>();
   BladeParameters& blade = request->blade;
   BliskOptions& blisk = request->blisk;
-  addOut(command, request->out);
+  addOut(command, request->out, kOutHelp);
 
-  const std::string disk = "Disk";
-  command
-      .add_option("--triangles", blisk.target_triangles,
-                  "Number of triangles wanted, up to 10 million; met within 15 %")
-      ->type_name("N")
-      ->check(wholeNumberFrom(1, 10'000'000))
-      ->group(disk);
-  command.add_option("--blades", blisk.blade_count, "Number of blades")
-      ->type_name("N")
-      ->check(wholeNumberFrom(2, 10'000))
-      ->group(disk);
-  command.add_option("--bore-radius", blisk.bore_radius, "Radius of the bore")
-      ->type_name("MM")
-      ->check(size())
-      ->group(disk);
+  const auto addOfDisk = [&](const std::string& name, auto& value, const std::string& placeholder,
+                             const CLI::Validator& check, const std::string& help) {
+    return addOption(command, name, value, placeholder, check, help)->group("Disk");
+  };
+  addOfDisk("--triangles", blisk.target_triangles, "N", wholeNumberFrom(1, 10'000'000),
+            "Number of triangles wanted, up to 10 million; met within 15 %");
+  addOfDisk("--blades", blisk.blade_count, "N", wholeNumberFrom(2, 10'000), "Number of blades");
+  addOfDisk("--bore-radius", blisk.bore_radius, "MM", size(), "Radius of the bore");
   CLI::Option* const shroud =
-      command.add_flag("--shroud", blisk.shroud, "Join the blade tips with a ring")->group(disk);
-  command.add_option("--shroud-thickness", blisk.shroud_thickness, "Radial thickness of the shroud")
-      ->type_name("MM")
-      ->check(size())
-      ->needs(shroud)
-      ->group(disk);
-  command
-      .add_option("--shroud-overhang", blisk.shroud_overhang, "Axial overhang of the shroud beyond the tips")
-      ->type_name("MM")
-      ->check(size())
-      ->needs(shroud)
-      ->group(disk);
+      command.add_flag("--shroud", blisk.shroud, "Join the blade tips with a ring")->group("Disk");
+  addOfDisk("--shroud-thickness", blisk.shroud_thickness, "MM", size(), "Radial thickness of the shroud")
+      ->needs(shroud);
+  addOfDisk("--shroud-overhang", blisk.shroud_overhang, "MM", size(),
+            "Axial overhang of the shroud beyond the tips")
+      ->needs(shroud);
 
   const std::string files = "Blade and hub from files";
-  command
-      .add_option("--sections", request->sections,
-                  "Folder of blade sections, one CSV file each (x,y,z in mm); sorted by name, they run from "
-                  "hub to tip")
-      ->type_name("DIR")
-      ->check(notEmpty())
+  addFile(command, "--sections", request->sections,
+          "Folder of blade sections, one CSV file each (x,y,z in mm); sorted by name, they run from "
+          "hub to tip",
+          "DIR")
       ->group(files);
-  command.add_option("--hub-profile", request->hub_profile, "Profile of the hub, a CSV file (z,r in mm)")
-      ->type_name("FILE")
-      ->check(notEmpty())
+  addFile(command, "--hub-profile", request->hub_profile, "Profile of the hub, a CSV file (z,r in mm)")
       ->group(files);
 
-  const auto addOption = [&](const std::string& name, auto& value, const std::string& help) {
-    CLI::Option* const option = command.add_option(name, value, help)->group("Parametric blade and hub");
-    request->parametric.push_back(option);
-    return option;
+  const auto addOfBlade = [&](const std::string& name, auto& value, const std::string& placeholder,
+                              const CLI::Validator& check, const std::string& help) {
+    CLI::Option* const option = addOption(command, name, value, placeholder, check, help);
+    request->parametric.push_back(option->group("Parametric blade and hub"));
   };
   const auto addLength = [&](const std::string& name, double& value, const std::string& help) {
-    addOption(name, value, help)->type_name("MM")->check(size());
+    addOfBlade(name, value, "MM", size(), help);
   };
   const auto addAngle = [&](const std::string& name, double& value, const std::string& help) {
-    addOption(name, value, help)->type_name("DEG")->check(size());
+    addOfBlade(name, value, "DEG", size(), help);
   };
   addLength("--length", request->length, "Length of the hub along Z");
   addLength("--hub-radius", blade.hub_radius, "Radius of the hub");
@@ -142,9 +119,8 @@ void addBlisk(CLI::App& make) {
   addLength("--camber-tip", blade.camber_tip, "Rise of the camber line at the tip");
   addLength("--edge-radius", blade.edge_radius, "Radius of the leading and trailing edges");
   addAngle("--lean", blade.lean, "Angle about Z by which the tip leads the hub");
-  addOption("--section-count", blade.section_count, "Number of sections from hub to tip")
-      ->type_name("N")
-      ->check(wholeNumberFrom(2, 1000));
+  addOfBlade("--section-count", blade.section_count, "N", wholeNumberFrom(2, 1000),
+             "Number of sections from hub to tip");
 
   command.callback([request] { makeBliskFile(*request); });
 }
@@ -156,11 +132,12 @@ struct GrinderRequest {
 
 /// Every part takes all sizes of the grinder, so that parts made with the same sizes fit together.
 void addSizes(CLI::App& command, BeltParameters& belt) {
-  const auto addOption = [&](const std::string& option, auto& value, const std::string& help) {
-    return command.add_option(option, value, help)->group("Belt grinder (sizes are assumed)");
+  const auto addSize = [&](const std::string& name, auto& value, const std::string& placeholder,
+                           const CLI::Validator& check, const std::string& help) {
+    addOption(command, name, value, placeholder, check, help)->group("Belt grinder (sizes are assumed)");
   };
-  const auto addLength = [&](const std::string& option, double& value, const std::string& help) {
-    addOption(option, value, help)->type_name("MM")->check(size());
+  const auto addLength = [&](const std::string& name, double& value, const std::string& help) {
+    addSize(name, value, "MM", size(), help);
   };
   addLength("--width", belt.width, "Width of the belt");
   addLength("--thickness", belt.thickness, "Thickness of the belt");
@@ -171,13 +148,10 @@ void addSizes(CLI::App& command, BeltParameters& belt) {
             "Radius of the belt's inner surface at the drive wheel");
   addLength("--wheel-distance", belt.wheel_distance, "Distance between the wheels' centres");
   addLength("--wheel-gap", belt.wheel_gap, "Gap between wheel and belt");
-  addOption("--stations", belt.stations, "Number of stations along the belt")
-      ->type_name("N")
-      ->check(wholeNumberFrom(16, 100'000));
-  addOption("--points-per-station", belt.points_per_station,
-            "Number of points around the belt's cross-section")
-      ->type_name("N")
-      ->check(wholeNumberFrom(4, 100'000));
+  addSize("--stations", belt.stations, "N", wholeNumberFrom(16, 100'000),
+          "Number of stations along the belt");
+  addSize("--points-per-station", belt.points_per_station, "N", wholeNumberFrom(4, 100'000),
+          "Number of points around the belt's cross-section");
   addLength("--arm-start", belt.arm_start, "Distance of the arm's start from the contact wheel's centre");
   addLength("--arm-width", belt.arm_width, "Width of the arm along the wheels' axes");
   addLength("--arm-height", belt.arm_height, "Height of the arm between the strands");
@@ -187,7 +161,7 @@ void addGrinderPart(CLI::App& make, const std::string& name, const std::string& 
                     TriangleMesh (*makePart)(const BeltParameters&)) {
   CLI::App& command = *make.add_subcommand(name, description);
   const auto request = std::make_shared<GrinderRequest>();
-  addOut(command, request->out);
+  addOut(command, request->out, kOutHelp);
   addSizes(command, request->belt);
   command.callback([request, makePart] { writeAndReport(request->out, makePart(request->belt)); });
 }
@@ -231,10 +205,7 @@ void addGrinder(CLI::App& make) {
   CLI::App& command = *make.add_subcommand(
       "grinder", "The whole grinder: one mesh per part, and a tool.json for 'octoblisk grind --tool'");
   const auto request = std::make_shared<GrinderRequest>();
-  command.add_option("-o,--out", request->out, "Folder to write to; created if missing")
-      ->type_name("DIR")
-      ->required()
-      ->check(notEmpty());
+  addOut(command, request->out, "Folder to write to; created if missing", "DIR");
   addSizes(command, request->belt);
   command.callback([request] { makeGrinderFiles(*request); });
 }
@@ -244,7 +215,6 @@ void addGrinder(CLI::App& make) {
 void addMakeCommand(CLI::App& app, int&) {
   CLI::App& make = addSubcommand(app, "make");
   make.require_subcommand(1);
-  make.option_defaults()->always_capture_default();
   addBlisk(make);
   addGrinder(make);
   addGrinderPart(make, "belt", "The abrasive belt: contact wheel at the origin, arm along +x", makeBelt);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "command_line/option_checks.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "commands/access_files.h"
 #include "commands/check_summary.h"
 #include "commands/commands.h"
@@ -47,14 +47,9 @@ int printStudy(const MergedStudy& merged, const std::filesystem::path& out) {
 void addMergeCommand(CLI::App& app, int& exit_code) {
   CLI::App& command = addSubcommand(app, "merge");
   const auto request = std::make_shared<MergeRequest>();
-  command.add_option("PART", request->parts, "All parts of the study, in any order")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
-  command.add_option("-o,--out", request->out, "CSV file to write, or - for standard output")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
+  addOption(command, "PART", request->parts, "FILE", notEmpty(), "All parts of the study, in any order")
+      ->required();
+  addOut(command, request->out, "CSV file to write, or - for standard output");
   command.callback([request, &exit_code] {
     const std::vector<std::filesystem::path> parts(request->parts.begin(), request->parts.end());
     exit_code = printStudy(mergeParts(parts, request->out, checkPart), request->out);

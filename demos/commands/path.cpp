@@ -8,10 +8,9 @@
 #include <string>
 
 #include "command_line/blisk_options.h"
-#include "command_line/convex_option.h"
 #include "command_line/grinder_input.h"
-#include "command_line/option_checks.h"
-#include "command_line/subcommand_help.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "command_line/units_option.h"
 #include "commands/commands.h"
 #include "io/new_file.h"
@@ -114,39 +113,22 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   addBliskOptions(command, request->blisk, request->axis);
   addUnitsOption(command, request->units);
   addConvexOption(command, request->convex);
-  command
-      .add_option("--arm", request->arm,
-                  "Direction in which the arm leaves the blades: outward, away from the axis; upstream or "
-                  "downstream, through the end of the channel. Default: outward; on a shrouded blisk, "
-                  "downstream, or upstream around the leading edge")
-      ->type_name("DIRECTION")
-      ->check(oneOf({"outward", "upstream", "downstream"}));
-  command.option_defaults()->always_capture_default();
-  command
-      .add_option("--blade", request->blade,
-                  "Number of the blade, from 1, as in the table of 'octoblisk blades'")
-      ->type_name("N")
-      ->check(wholeNumberFrom(1, 10'000));
-  command
-      .add_option("--side", request->side,
-                  "Surface to grind: the convex side, the concave side or the leading edge")
-      ->type_name("SIDE")
-      ->check(oneOf({"convex", "concave", "leading"}));
-  command
-      .add_option("--pattern", request->pattern,
-                  "longitudinal: passes along the blade's length; transversal: passes along its chord, or "
-                  "around the edge")
-      ->type_name("PATTERN")
-      ->check(oneOf({"longitudinal", "transversal"}));
-  command.add_option("--format", request->format, "csv: a table of poses with feeds; apt: a CL file")
-      ->type_name("FORMAT")
-      ->check(oneOf({"csv", "apt"}));
-  command.add_option("-o,--out", request->out, "File to write, or - for standard output")
-      ->type_name("FILE")
-      ->required()
-      ->check(notEmpty());
+  addChoice(command, "--arm", request->arm, {"outward", "upstream", "downstream"},
+            "Direction in which the arm leaves the blades: outward, away from the axis; upstream or "
+            "downstream, through the end of the channel. Default: outward; on a shrouded blisk, "
+            "downstream, or upstream around the leading edge");
+  addOption(command, "--blade", request->blade, "N", wholeNumberFrom(1, 10'000),
+            "Number of the blade, from 1, as in the table of 'octoblisk blades'");
+  addChoice(command, "--side", request->side, {"convex", "concave", "leading"},
+            "Surface to grind: the convex side, the concave side or the leading edge");
+  addChoice(command, "--pattern", request->pattern, {"longitudinal", "transversal"},
+            "longitudinal: passes along the blade's length; transversal: passes along its chord, or "
+            "around the edge");
+  addChoice(command, "--format", request->format, {"csv", "apt"},
+            "csv: a table of poses with feeds; apt: a CL file");
+  addOut(command, request->out, "File to write, or - for standard output");
   const auto addLength = [&](const std::string& option, double& value, const std::string& help, bool above) {
-    command.add_option(option, value, help)->type_name("MM")->check(numberFrom(0.0, kMaxLength, above));
+    addOption(command, option, value, "MM", numberFrom(0.0, kMaxLength, above), help);
   };
   addLength("--step-over", options.step_over, "Greatest distance between passes, on the surface", true);
   addLength("--pose-step", options.pose_step, "Greatest distance between poses", true);
@@ -159,24 +141,17 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   addLength("--wheel-width", request->wheel_width, "Width of the belt on the contact wheel", true);
   addLength("--retract", options.retract, "Length of approach and retraction, along the arm", false);
   const auto addAngle = [&](const std::string& option, double& value, const std::string& help) {
-    command.add_option(option, value, help)->type_name("DEG")->check(numberFrom(-89.0, 89.0));
+    addOption(command, option, value, "DEG", numberFrom(-89.0, 89.0), help);
   };
   addAngle("--tilt", options.tilt, "Angle of the arm off the surface, about the contact wheel's axis");
   addAngle("--lead", options.lead, "Angle of the arm along the surface, towards the trailing edge");
-  command.add_option("--turn-step", options.greatest_turn, "Greatest turn of the surface from pose to pose")
-      ->type_name("DEG")
-      ->check(numberFrom(0.01, 90.0));
-  command.add_option("--feed", options.feed, "Feed rate in mm/min")
-      ->type_name("MM/MIN")
-      ->check(numberFrom(0.0, 1e9, true));
-  command
-      .add_option("--height-from", options.height_from,
-                  "Lower end of the ground region, as a fraction of the blade's height: root 0, tip 1")
-      ->type_name("FRACTION")
-      ->check(numberFrom(0.0, 1.0));
-  command.add_option("--height-to", options.height_to, "Upper end of the ground region")
-      ->type_name("FRACTION")
-      ->check(numberFrom(0.0, 1.0));
+  addOption(command, "--turn-step", options.greatest_turn, "DEG", numberFrom(0.01, 90.0),
+            "Greatest turn of the surface from pose to pose");
+  addOption(command, "--feed", options.feed, "MM/MIN", numberFrom(0.0, 1e9, true), "Feed rate in mm/min");
+  addOption(command, "--height-from", options.height_from, "FRACTION", numberFrom(0.0, 1.0),
+            "Lower end of the ground region, as a fraction of the blade's height: root 0, tip 1");
+  addOption(command, "--height-to", options.height_to, "FRACTION", numberFrom(0.0, 1.0),
+            "Upper end of the ground region");
   command.callback([request, &exit_code] { exit_code = makePath(*request); });
 }
 

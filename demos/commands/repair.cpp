@@ -11,13 +11,11 @@
 #include <tuple>
 #include <vector>
 
-#include "command_line/convex_option.h"
+#include "command_line/blisk_options.h"
 #include "command_line/grinder_input.h"
-#include "command_line/option_checks.h"
-#include "command_line/out_folder.h"
+#include "command_line/help.h"
+#include "command_line/options.h"
 #include "command_line/print_message.h"
-#include "command_line/report_option.h"
-#include "command_line/subcommand_help.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
 #include "grinding/coverage.h"
@@ -232,29 +230,22 @@ void addRepairCommand(CLI::App& app, int& exit_code) {
   const auto request = std::make_shared<RepairRequest>();
   addGrinderOptions(command, request->files);
   addMarginOption(command, request->margin);
-  command
-      .add_option("--path", request->files.path,
-                  "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL "
-                  "file. Default: the built-in path of grind")
-      ->type_name("FILE")
-      ->check(notEmpty());
-  command
-      .add_flag("--keep-contact,!--no-keep-contact", request->keep_contact,
-                "Keep working poses in contact with the ground blade if a change with at most 1 mm of "
-                "retraction allows it")
-      ->capture_default_str();
+  addFile(command, "--path", request->files.path,
+          "CSV file x,y,z,qw,qx,qy,qz with poses of the belt in the blisk's frame (mm), or an APT CL "
+          "file. Default: the built-in path of grind");
+  command.add_flag("--keep-contact,!--no-keep-contact", request->keep_contact,
+                   "Keep working poses in contact with the ground blade if a change with at most 1 mm of "
+                   "retraction allows it");
   ChangeLimits& limits = request->limits;
-  const auto add_limit = [&](const std::string& name, double& value, const std::string& help, bool above) {
-    return command.add_option(name, value, help)
-        ->check(numberFrom(0.0, kMaxLength, above))
-        ->capture_default_str()
-        ->group("Changes");
+  const auto add_limit = [&](const std::string& name, double& value, const std::string& unit,
+                             const std::string& help, bool above) {
+    addOption(command, name, value, unit, numberFrom(0.0, kMaxLength, above), help)->group("Changes");
   };
   const auto add_angle = [&](const std::string& name, double& value, const std::string& help, bool above) {
-    add_limit(name, value, help, above)->type_name("DEG");
+    add_limit(name, value, "DEG", help, above);
   };
   const auto add_length = [&](const std::string& name, double& value, const std::string& help, bool above) {
-    add_limit(name, value, help, above)->type_name("MM");
+    add_limit(name, value, "MM", help, above);
   };
   add_angle("--tilt", limits.tilt, "Greatest tilt in either direction, about the wheels' axis", false);
   add_angle("--tilt-per-pose", limits.tilt_per_pose, "Greatest change of the tilt from a pose to the next",

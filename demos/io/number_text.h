@@ -1,12 +1,23 @@
-// Formats numbers for the tables of a report.
+// Writes numbers as text.
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 #include <string>
 
 namespace octoblisk::demos {
+
+/// With as many digits as a double needs to be read back exactly, like printf's %.17g.
+inline std::string exactText(double value) {
+  constexpr std::size_t kRoom = 32;
+  char digits[kRoom];
+  const auto end = std::to_chars(digits, digits + kRoom, value, std::chars_format::general,
+                                 std::numeric_limits<double>::max_digits10);
+  return {digits, end.ptr};
+}
 
 /// With this number of digits after the point.
 inline std::string fixedText(double value, int digits) {

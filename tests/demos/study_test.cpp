@@ -17,7 +17,7 @@
 #include "demos/command.h"
 #include "demos/scratch_folder.h"
 #include "demos/squares_study.h"
-#include "io/exact_number.h"
+#include "io/number_text.h"
 #include "study/group_message.h"
 #include "study/merge_parts.h"
 #include "study/part_text.h"

@@ -1,26 +1,35 @@
-#include "command_line/help_formatter.h"
+#include "command_line/help.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
+
+#include "io/embedded_file.h"
+
+// The files, by their names.
+#define OCTOBLISK_HELP_FILES(X) \
+  X(octoblisk)                  \
+  X(access) X(blades) X(check) X(gallery) X(grind) X(inspect) X(make) X(merge) X(paper) X(path) X(repair)
+
+#define OCTOBLISK_EMBED_HELP(name) OCTOBLISK_EMBED(octoblisk_help_##name, OCTOBLISK_HELP "/" #name ".txt");
+OCTOBLISK_HELP_FILES(OCTOBLISK_EMBED_HELP)
 
 namespace octoblisk::demos {
 namespace {
+
+Help helpIn(std::string_view text) {
+  constexpr std::string_view kEmptyLine = "\n\n";
+  text.remove_suffix(1);  // the last line's end
+  const std::size_t end = text.find(kEmptyLine);
+  return {std::string(text.substr(0, end)), std::string(text.substr(end + kEmptyLine.size()))};
+}
 
 /// Characters, not bytes, of UTF-8.
 std::size_t lengthOf(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](unsigned char byte) { return (byte & 0xC0) != 0x80; }));
-}
-
-/// "TEXT:{a,b}", as CLI11 writes a choice, as "a|b".
-std::string placeholderOf(const CLI::Option& option) {
-  std::string name = option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
-  const std::size_t begin = name.find(":{");
-  if (begin == std::string::npos || !name.ends_with('}')) return name;
-  std::string choices = name.substr(begin + 2, name.size() - begin - 3);
-  std::ranges::replace(choices, ',', '|');
-  return choices;
 }
 
 std::string namesOf(const std::set<CLI::Option*>& options) {
@@ -31,21 +40,27 @@ std::string namesOf(const std::set<CLI::Option*>& options) {
 
 /// A head, and beside it, or below where it is long, its text.
 std::string entryOf(const std::string& head, const std::string& text) {
-  constexpr std::size_t kIndentation = 2, kColumn = 30;
-  std::string entry = std::string(kIndentation, ' ') + head;
-  std::size_t at = kIndentation + lengthOf(head);
-  for (const std::string& line : wrapped(text, kHelpWidth - kColumn)) {
-    if (at + 2 > kColumn) {
-      entry += '\n';
-      at = 0;
-    }
-    entry += std::string(kColumn - at, ' ') + line;
-    at = kHelpWidth;
-  }
-  return entry + '\n';
+  constexpr std::size_t kColumn = 30;
+  std::ostringstream entry;
+  CLI::detail::format_help(entry, head, CLI::detail::join(wrapped(text, kHelpWidth - kColumn), "\n"),
+                           kColumn);
+  return entry.str();
 }
 
 }  // namespace
+
+const Help& helpOf(const std::string& command) {
+#define OCTOBLISK_KNOWN_HELP(name) {#name, helpIn(OCTOBLISK_EMBEDDED(octoblisk_help_##name))},
+  static const std::map<std::string, Help> known = {OCTOBLISK_HELP_FILES(OCTOBLISK_KNOWN_HELP)};
+  return known.at(command);
+}
+
+CLI::App& addSubcommand(CLI::App& app, const std::string& name) {
+  const Help& help = helpOf(name);
+  CLI::App& command = *app.add_subcommand(name, help.about);
+  command.footer(help.footer);
+  return command;
+}
 
 std::string headOf(const CLI::Option& option) {
   std::string head;
@@ -54,9 +69,7 @@ std::string headOf(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) add("--" + name);
   if (head.empty()) head = option.get_name(true);
   const bool has_value = option.get_type_size() != 0;
-  if (has_value && option.nonpositional() && !placeholderOf(option).empty()) {
-    head += ' ' + placeholderOf(option);
-  }
+  if (option.nonpositional() && !option.get_type_name().empty()) head += ' ' + option.get_type_name();
   if (has_value && option.get_expected_max() >= CLI::detail::expected_max_vector_size) head += " ...";
   return head;
 }

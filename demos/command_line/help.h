@@ -1,4 +1,4 @@
-// How --help is laid out.
+// The help of the command and its subcommands, from the text files in help/, and its layout.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,17 @@
 #include <vector>
 
 namespace octoblisk::demos {
+
+struct Help {
+  std::string about;  ///< the file up to its first empty line: above the options. Its first line is a summary
+  std::string footer;  ///< the rest: below them. Paragraphs, and items that begin with "- "
+};
+
+/// Of a subcommand, or of "octoblisk" itself. Throws std::out_of_range where there is no such file.
+const Help& helpOf(const std::string& command);
+
+/// Adds a subcommand with its help.
+CLI::App& addSubcommand(CLI::App& app, const std::string& name);
 
 /// No line of --help is longer.
 constexpr std::size_t kHelpWidth = 110;
