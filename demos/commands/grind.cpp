@@ -13,8 +13,7 @@
 #include "command_line/print_message.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
-#include "grinding/coverage.h"
-#include "grinding/grinding_run.h"
+#include "commands/grinding_output.h"
 #include "grinding/tool_file.h"
 #include "io/whole_files.h"
 #include "models/defect_words.h"
@@ -48,10 +47,10 @@ struct GrindRequest {
 
 /// Warns about parts whose depth is measured differently.
 void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
-  for (std::size_t part = 0; part < run.parts.size(); ++part) {
+  for (std::size_t part = 0; part < run.job.parts.size(); ++part) {
     if (run.depth_kinds[part] != DepthKind::of_part) continue;
-    warnOf(files.belt.empty() ? run.parts[part].name : files.belt,
-           openText(defectsOf(*run.parts[part].tree, files.threads)) +
+    warnOf(files.belt.empty() ? run.job.parts[part].name : files.belt,
+           openText(defectsOf(*run.job.parts[part].tree, files.threads)) +
                ": only its own points inside the blisk count for its depth");
   }
 }
@@ -59,8 +58,8 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
 void print(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::cout << summaryText(run);
-  if (run.rules.ground_blade != 0 && run.rules.grinding_part != kNoPart) {
-    std::cout << summaryText(coverage, run.rules.ground_blade) << '\n';
+  if (run.job.rules.ground_blade != 0 && run.job.rules.grinding_part != kNoPart) {
+    std::cout << summaryText(coverage, run.job.rules.ground_blade) << '\n';
   }
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
@@ -72,16 +71,6 @@ void print(const GrindingRun& run, const std::optional<Coverage>& coverage, cons
   if (!request.no_pictures) {
     std::cout << "Pictures: " << (out / "overview.png").string() << ", " << (out / "closeup.png").string()
               << '\n';
-  }
-}
-
-/// Returns none, with a warning, for a blade whose side has no contours.
-std::optional<Coverage> coverageOrWarning(const GrindingRun& run, const GrinderFiles& files) {
-  try {
-    return coverageOf(run, files.threads);
-  } catch (const std::invalid_argument& error) {
-    warnOf(files.bliskName(), std::string("the coverage is not computed: ") + error.what());
-    return std::nullopt;
   }
 }
 
@@ -112,7 +101,7 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   writePoseVerdicts(run, files.add(out / "poses.csv"));
   writeContacts(run, files.add(out / "contacts.csv"));
   writeSummary(run, coverage, files.add(out / "summary.json"));
-  if (run.spindle) writeForces(run, files.add(out / "forces.csv"));
+  if (run.job.spindle) writeForces(run, files.add(out / "forces.csv"));
   if (coverage) writeCoverage(*coverage, files.add(out / "coverage.csv"));
   if (!request.no_pictures && !isStopped()) {
     if (coverage) writePng(coveragePicture(*coverage), files.add(out / "coverage.png").string());
@@ -170,14 +159,13 @@ int grind(const GrindRequest& request) {
   warnOfInput(files, input);
   TerminalWatch terminal(job.path.size());  // until the end, because Ctrl-C must not lose what is done
   GrindingRun run = runWatched(job, terminal);
-  run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
-  run.tool_name = files.toolName();
-  run.path_name = files.path.empty() ? "generated" : files.path;
+  nameInputs(files, run);
   run.tree_seconds = input.tree_seconds;
   run.convex_side = convexSideOf(request.convex, input);
   warnOfParts(files, run);
-  warnOfUntouched(files, input, run.rules.ground_blade);
-  const std::optional<Coverage> coverage = coverageOrWarning(run, files);
+  warnOfUntouched(files, input, run.job.rules.ground_blade);
+  const std::optional<Coverage> coverage =
+      coverageOrWarning(files, run.job, std::span(run.job.path).first(run.poses.size()), run.convex_side);
   writeAll(run, coverage, path, request);
   print(run, coverage, request);
   if (run.isPartial()) {

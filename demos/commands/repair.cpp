@@ -18,7 +18,7 @@
 #include "command_line/print_message.h"
 #include "command_line/terminal_watch.h"
 #include "commands/commands.h"
-#include "grinding/coverage.h"
+#include "commands/grinding_output.h"
 #include "grinding/tool_file.h"
 #include "io/number_text.h"
 #include "io/whole_files.h"
@@ -117,53 +117,34 @@ void requireBridged(const ChangeLimits& limits) {
   }
 }
 
-/// The run that octoblisk grind would make of the path.
-GrindingRun runOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
-                  const std::vector<Pose>& path, const std::shared_ptr<PartDepths>& depths,
-                  TerminalWatch& terminal) {
+/// The job that octoblisk grind would make of the path.
+GrindingJob jobOf(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules) {
   constexpr double kMinNearMiss = 0.5;  // mm
   GrindingJob job = jobWithoutPath(files, input);
   job.rules.ground_blade = rules.ground_blade;
   job.rules.near_miss = std::clamp(rules.near_miss, kMinNearMiss, kMaxNearMiss);
+  // The repair and both runs of its report have most poses and motions in common.
+  job.depths = depthsUnder(input.tool.rules, input.blisk, input.tool.parts, files.threads, input.fixtures);
+  job.depths->remember();
+  return job;
+}
+
+GrindingRun runOf(const GrinderFiles& files, GrindingJob job, const std::vector<Pose>& path,
+                  TerminalWatch& terminal) {
   job.path = path;
-  job.depths = depths;
-  GrindingRun run = runGrinding(job, terminal.watch());
+  GrindingRun run = runGrinding(std::move(job), terminal.watch());
   terminal.endTask();
   if (run.isPartial())
     throw TerminalWatch::stopped("stopped: the path is repaired, but the report is not written");
-  run.blisk_name = files.blisk.empty() ? "default" : files.blisk;
-  run.tool_name = files.toolName();
-  run.path_name = files.path.empty() ? "generated" : files.path;
+  nameInputs(files, run);
   return run;
 }
 
-/// Returns none, with a warning, for a blade whose side has no contours.
-std::optional<Coverage> coverageOfPath(const GrinderFiles& files, const GrinderInput& input,
-                                       const VerdictRules& rules, const std::vector<Pose>& path) {
-  if (rules.ground_blade == 0 || rules.grinding_part == kNoPart) return std::nullopt;
-  try {
-    return coverageOf({.blisk = *input.blisk,
-                       .blade_of_triangle = input.blades.blade_of_triangle,
-                       .blade_count = input.blades.count,
-                       .mesh_in_blisk = input.mesh_in_blisk,
-                       .convex_side = convexSideOf("", input),
-                       .blade = rules.ground_blade,
-                       .part = *input.tool.parts[rules.grinding_part].tree,
-                       .max_depth = rules.maxDepth(rules.grinding_part),
-                       .path = path},
-                      files.threads);
-  } catch (const std::invalid_argument& error) {
-    warnOf(files.bliskName(), std::string("the coverage is not computed: ") + error.what());
-    return std::nullopt;
-  }
-}
-
-void writeRepairReport(const GrinderFiles& files, const GrinderInput& input, const VerdictRules& rules,
-                       const std::vector<Pose>& path, const PathRepair& repaired,
-                       const std::optional<Coverage>& coverage, const std::shared_ptr<PartDepths>& depths,
+void writeRepairReport(const GrinderFiles& files, const GrindingJob& job, const std::vector<Pose>& path,
+                       const PathRepair& repaired, const std::optional<Coverage>& coverage,
                        TerminalWatch& terminal) {
-  const GrindingRun before = runOf(files, input, rules, path, depths, terminal);
-  const GrindingRun after = runOf(files, input, rules, repaired.path, depths, terminal);
+  const GrindingRun before = runOf(files, job, path, terminal);
+  const GrindingRun after = runOf(files, job, repaired.path, terminal);
   WholeFiles shown;
   Replay replay = repairReplay(repaired, before, after);
   if (coverage) replay.side = coverageOnBlade(*coverage);
@@ -190,12 +171,9 @@ int repair(const RepairRequest& request) {
   warnOfUntouched(files, input, *blade);
   makeFolder(files.out);
 
-  // The repair and both runs of its report have most poses and motions in common.
-  const auto depths =
-      depthsUnder(input.tool.rules, input.blisk, input.tool.parts, files.threads, input.fixtures);
-  depths->remember();
+  const GrindingJob job = jobOf(files, input, rules);
   Judge judge(input.blisk, input.tool.parts, input.blades.blade_of_triangle, rules, files.threads,
-              input.fixtures, depths);
+              input.fixtures, job.depths);
   const PathRepair repaired = repairPath(judge, path, directionsOffSurface(judge, path), request.limits,
                                          request.keep_contact, terminal.watch());
   terminal.endTask();
@@ -207,7 +185,8 @@ int repair(const RepairRequest& request) {
     writePoses(whole.add(written.path), repaired.path);
   }
   writeChanges(repaired, input.tool.parts, input.names(), whole.add(written.changes));
-  const std::optional<Coverage> coverage = coverageOfPath(files, input, rules, repaired.path);
+  std::optional<Coverage> coverage;
+  if (*blade != 0) coverage = coverageOrWarning(files, job, repaired.path, convexSideOf("", input));
   if (coverage) {
     writeCoverage(*coverage, whole.add(std::filesystem::path(files.out) / "coverage.csv"));
     writePng(coveragePicture(*coverage),
@@ -219,7 +198,7 @@ int repair(const RepairRequest& request) {
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: the poses repaired so far are in " + written.path.string());
   }
-  if (request.report) writeRepairReport(files, input, rules, path, repaired, coverage, depths, terminal);
+  if (request.report) writeRepairReport(files, job, path, repaired, coverage, terminal);
   return repaired.isFree() && repaired.contactsLost() == 0 ? 0 : 1;
 }
 

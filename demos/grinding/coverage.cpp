@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "grinding/pose_clearances.h"
 #include "grinding/support_planes.h"
 #include "models/belt_grinder.h"
 #include "models/blade_sides.h"
+#include "models/blisk_axis.h"
 #include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
@@ -63,7 +63,7 @@ std::vector<Place> placesAlong(std::span<const Pose> poses) {
   std::vector<Place> places;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     if (p > 0) {
-      const Motion motion = motionBetween(poses[p - 1], poses[p]);
+      const Motion motion(poses[p - 1], poses[p]);
       const double length = motion.advance().norm() + motion.angle() * kNearGrinding;
       const int steps = static_cast<int>(std::ceil(length / kCoverageStep));
       for (int k = 1; k < steps; ++k) {
@@ -188,21 +188,21 @@ std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
 }
 
 /// The number of poses at which the part touches the blade's forward side, and its backward side.
-std::array<std::size_t, 2> touchesOfSides(const CoverageQuestion& question, const BladeSides& sides) {
-  const TriangleMesh& mesh = question.blisk.mesh();
+std::array<std::size_t, 2> touchesOfSides(const GrindingJob& job, std::span<const Pose> path,
+                                          const BladeSides& sides) {
+  const TriangleMesh& mesh = job.blisk->mesh();
   std::array<std::size_t, 2> poses{};
   for (const BladePart side : {BladePart::forward, BladePart::backward}) {
     std::vector<TriangleMesh::Indices> triangles;
     for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-      if (sides.blade_of_triangle[t] == question.blade && sides.part_of_triangle[t] == side) {
+      if (sides.blade_of_triangle[t] == job.rules.ground_blade && sides.part_of_triangle[t] == side) {
         triangles.push_back(mesh.triangles()[t]);
       }
     }
     if (triangles.empty()) continue;
     const auto tree = treeOfTriangles(mesh, std::move(triangles));
-    PathQuery query(*tree, question.part);
-    for (const Pose& pose : question.path)
-      poses[side == BladePart::backward] += query.collide(pose).has_value();
+    PathQuery query(*tree, *job.parts[job.rules.grinding_part].tree);
+    for (const Pose& pose : path) poses[side == BladePart::backward] += query.collide(pose).has_value();
   }
   return poses;
 }
@@ -274,45 +274,27 @@ std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctre
   return points;
 }
 
-std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads) {
-  const TriangleMesh& mesh = question.blisk.mesh();
-  std::vector<Vec3> vertices;
-  for (const Vec3& vertex : mesh.vertices()) vertices.push_back(question.mesh_in_blisk * vertex);
-  const TriangleMesh about_axis(std::move(vertices), mesh.triangles());
-  BladesFound blades;
-  blades.count = question.blade_count;
-  blades.blade_of_triangle.assign(question.blade_of_triangle.begin(), question.blade_of_triangle.end());
-  const BladeSides sides = findBladeSides(about_axis, blades);
-  const std::array<std::size_t, 2> touches = touchesOfSides(question, sides);
+std::optional<Coverage> coverageOf(const GrindingJob& job, std::span<const Pose> path,
+                                   std::optional<BladeSide> convex) {
+  const int blade = job.rules.ground_blade;
+  const std::size_t part = job.rules.grinding_part;
+  if (blade == 0 || part == kNoPart) return std::nullopt;
+  const TriangleMesh about_axis = moved(job.blisk->mesh(), job.mesh_in_blisk);
+  const BladeSides sides = findBladeSides(about_axis, job.blades);
+  const std::array<std::size_t, 2> touches = touchesOfSides(job, path, sides);
   if (touches[0] + touches[1] == 0) return std::nullopt;
   const BladeSide side = touches[0] >= touches[1] ? BladeSide::forward : BladeSide::backward;
-  Coverage coverage{.blade = question.blade,
-                    .grid = gridOver(BladeContours(about_axis, sides, question.blade), side),
+  Coverage coverage{.blade = blade,
+                    .grid = gridOver(BladeContours(about_axis, sides, blade), side),
                     .side = side == BladeSide::forward ? "forward" : "backward",
-                    .mesh_in_blisk = question.mesh_in_blisk,
-                    .max_depth = question.max_depth,
+                    .mesh_in_blisk = job.mesh_in_blisk,
+                    .max_depth = job.rules.maxDepth(part),
                     .points = {}};
-  if (question.convex_side) coverage.side = side == *question.convex_side ? "convex" : "concave";
+  if (convex) coverage.side = side == *convex ? "convex" : "concave";
   std::vector<Pose> poses;
-  for (const Pose& pose : question.path) poses.push_back(question.mesh_in_blisk * pose);
-  coverage.points = groundPoints(coverage.grid, question.part, poses, threads);
+  for (const Pose& pose : path) poses.push_back(job.mesh_in_blisk * pose);
+  coverage.points = groundPoints(coverage.grid, *job.parts[part].tree, poses, job.threads);
   return coverage;
-}
-
-std::optional<Coverage> coverageOf(const GrindingRun& run, int threads) {
-  if (run.rules.ground_blade == 0 || run.rules.grinding_part == kNoPart) return std::nullopt;
-  std::vector<Pose> path;
-  for (const PoseReport& pose : run.poses) path.push_back(pose.tool_in_blisk);
-  return coverageOf({.blisk = *run.blisk,
-                     .blade_of_triangle = run.blade_of_triangle,
-                     .blade_count = run.blade_count,
-                     .mesh_in_blisk = run.mesh_in_blisk,
-                     .convex_side = run.convex_side,
-                     .blade = run.rules.ground_blade,
-                     .part = *run.parts[run.rules.grinding_part].tree,
-                     .max_depth = run.rules.maxDepth(run.rules.grinding_part),
-                     .path = std::move(path)},
-                    threads);
 }
 
 std::string groundText(const Coverage& coverage) {

@@ -56,24 +56,11 @@ struct Coverage {
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
 
-struct CoverageQuestion {
-  const ClusteredOctree& blisk;  ///< faces outward
-  std::span<const int> blade_of_triangle;
-  int blade_count;
-  Pose mesh_in_blisk;                    ///< from the mesh's frame to the frame whose Z is the blisk's axis
-  std::optional<BladeSide> convex_side;  ///< empty if unknown
-  int blade;                             ///< the ground blade
-  const ClusteredOctree& part;           ///< the grinding part
-  double max_depth;                      ///< the depth that it may be pressed in, mm
-  std::vector<Pose> path;                ///< the part's poses in the mesh's frame
-};
-
-/// The coverage of the side that the part touches at more poses. Empty if it touches neither side. Throws
-/// std::invalid_argument if the blade does not exist or its side has no contours.
-std::optional<Coverage> coverageOf(const CoverageQuestion& question, int threads = 0);
-
-/// The same for a run. Empty if the run grinds no blade.
-std::optional<Coverage> coverageOf(const GrindingRun& run, int threads = 0);
+/// The coverage of the ground blade's side that the grinding part touches at more poses of a path; `convex`
+/// is the convex side, empty if unknown. Empty if the job grinds no blade, or the part touches neither side.
+/// Throws std::invalid_argument if the blade does not exist or its side has no contours.
+std::optional<Coverage> coverageOf(const GrindingJob& job, std::span<const Pose> path,
+                                   std::optional<BladeSide> convex);
 
 /// "Ground: 62 % of the convex side of blade 1".
 std::string groundText(const Coverage& coverage);

@@ -1,7 +1,8 @@
-// Bodies other than the blisk that the tool must not touch, for example a clamp or the table.
+// The bodies around the blisk: the tool's parts, and what they must not touch, for example a clamp.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,7 +11,14 @@
 
 namespace octoblisk::demos {
 
-/// Its mesh is in the blisk's frame, in mm, and does not move in it.
+/// A part of the tool. Its mesh is in the tool's frame, mm.
+struct ToolPart {
+  std::string name;
+  std::shared_ptr<const ClusteredOctree> tree;
+  std::optional<double> belt_speed = {};  ///< m/s, if the part is a running belt (belt_loop.h); none: unknown
+};
+
+/// A body that the tool must not touch. Its mesh is in the blisk's frame, in mm, and does not move in it.
 struct Fixture {
   std::string name;
   std::shared_ptr<const ClusteredOctree> tree;

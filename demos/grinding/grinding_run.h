@@ -6,53 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "grinding/judge.h"
 #include "grinding/run_watch.h"
 #include "grinding/spindle_cell.h"
-#include "grinding/verdict.h"
 #include "models/blade_finder.h"
 #include "models/blade_surface.h"
 
 namespace octoblisk::demos {
-
-/// A finished run, as input of the reports.
-struct GrindingRun {
-  std::string blisk_name, tool_name, path_name;  ///< the sources of blisk, tool and path
-  std::shared_ptr<const ClusteredOctree> blisk;
-  std::vector<ToolPart> parts;
-  std::vector<DepthKind> depth_kinds;  ///< per part
-  int blade_count = 0;
-  std::vector<int> blade_of_triangle;  ///< for the blisk's mesh
-  std::vector<Fixture> fixtures;
-  Pose mesh_in_blisk;                    ///< from the mesh's frame to the frame whose Z is the blisk's axis
-  std::optional<BladeSide> convex_side;  ///< of the blades; none: unknown
-  VerdictRules rules;
-  bool continuous = false;                        ///< whether motions were checked
-  std::size_t path_poses = 0;                     ///< number of poses of the whole path
-  std::vector<PoseReport> poses;                  ///< the poses that were done: the first ones of the path
-  std::optional<SpindleOptions> spindle;          ///< set if forces were asked for
-  std::vector<std::optional<SpindleLoad>> loads;  ///< then per pose, caused by the grinding part
-  double tree_seconds = 0.0;                      ///< time to build the blisk's tree; 0: unknown
-  /// Means over all threads, in seconds per pose.
-  double contact_seconds_per_pose = 0.0;    ///< Bullet's detection of near parts and their contacts
-  double depth_seconds_per_pose = 0.0;      ///< the parts' depths
-  double clearance_seconds_per_pose = 0.0;  ///< the clearances from obstacles
-  double motion_seconds_per_pose = 0.0;     ///< the motions between poses
-
-  /// "forward" or "backward" (blade_side.h) for a triangle of a blade; empty for hub, shroud and fixtures.
-  std::string sideOf(std::uint32_t triangle, int body) const;
-  /// The same side as "convex" or "concave" if the run knows which is which.
-  std::string faceOf(std::uint32_t triangle, int body) const;
-  BodyNames names() const { return BodyNames(blade_count, fixtures); }
-  bool isPartial() const { return poses.size() < path_poses; }
-  std::size_t count(Verdict verdict) const;                ///< number of poses
-  std::size_t count(MotionReport::Outcome outcome) const;  ///< number of motions
-  std::size_t motionCount() const;                         ///< number of checked motions
-  std::size_t depthsProved()
-      const;                  ///< number of motions on which no part is proved to exceed its depth limit
-  double depthBound() const;  ///< mm: an upper bound of the depth on all motions
-  /// Whether a pose or a motion interferes, or a motion is not proved free.
-  bool interferes() const;
-};
 
 /// The request for a run.
 struct GrindingJob {
@@ -71,8 +31,38 @@ struct GrindingJob {
   int threads = 0;  ///< 0: as many as the machine runs at once; the answers do not depend on it
 };
 
-/// Runs the job: poses with their verdicts, contacts (reduced by reduceContacts), depths, clearances and
+/// A finished run, as input of the reports.
+struct GrindingRun {
+  GrindingJob job;                               ///< with the ground blade
+  std::string blisk_name, tool_name, path_name;  ///< the sources of blisk, tool and path
+  std::optional<BladeSide> convex_side;          ///< of the blades; none: unknown
+  double tree_seconds = 0.0;                     ///< time to build the blisk's tree; 0: unknown
+
+  std::vector<DepthKind> depth_kinds;  ///< per part
+  std::vector<PoseReport> poses;       ///< the poses that were done: the first ones of the path
+  std::vector<std::optional<SpindleLoad>>
+      loads;            ///< if forces were asked for: per pose, by the grinding part
+  JudgeTimes per_pose;  ///< means over all threads
+
+  /// "forward" or "backward" (blade_side.h) for a touched triangle of a blade; empty for hub, shroud and
+  /// fixtures.
+  std::string sideOf(const Touch& touch) const;
+  /// The same side as "convex" or "concave" if the run knows which is which.
+  std::string faceOf(const Touch& touch) const;
+  BodyNames names() const { return BodyNames(job.blades.count, job.fixtures); }
+  bool isPartial() const { return poses.size() < job.path.size(); }
+  std::size_t count(Verdict verdict) const;                ///< number of poses
+  std::size_t count(MotionReport::Outcome outcome) const;  ///< number of motions
+  std::size_t motionCount() const;                         ///< number of checked motions
+  std::size_t depthsProved()
+      const;                  ///< number of motions on which no part is proved to exceed its depth limit
+  double depthBound() const;  ///< mm: an upper bound of the depth on all motions
+  /// Whether a pose or a motion interferes, or a motion is not proved free.
+  bool interferes() const;
+};
+
+/// Runs the job: poses with their touches (reduced by reduceContacts), verdicts, depths, clearances and
 /// motions. If stopped, the run has the poses finished until then. The caller sets the names.
-GrindingRun runGrinding(const GrindingJob& job, const RunWatch& watch = {});
+GrindingRun runGrinding(GrindingJob job, const RunWatch& watch = {});
 
 }  // namespace octoblisk::demos

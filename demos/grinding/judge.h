@@ -1,5 +1,5 @@
 // The judge: decides whether a pose or a motion of the tool is clear, intended, near, gouging or unknown.
-// grind asks for the full verdict; access and repair only ask whether the pose is free.
+// grind asks for the full report; access and repair only ask whether the pose is free.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,12 @@
 #include <span>
 #include <vector>
 
+#include "grinding/grinding_cell.h"
 #include "grinding/motion_check.h"
 #include "grinding/obstacles.h"
 #include "grinding/part_depths.h"
 #include "grinding/verdict.h"
+#include "octoblisk/path_query.h"
 
 namespace octoblisk::demos {
 
@@ -31,6 +33,14 @@ struct PoseState {
 /// The two poses of a motion: the tool's origin moves straight, the tool rotates at a constant rate.
 struct MotionEnds {
   Pose from, to;
+};
+
+/// The time spent on each question about poses, in seconds.
+struct JudgeTimes {
+  double contacts = 0.0;    ///< Bullet's contacts of near parts
+  double depths = 0.0;      ///< the parts' depths
+  double clearances = 0.0;  ///< the clearances from obstacles
+  double motions = 0.0;     ///< the motions between poses
 };
 
 /// The depths that a judge of these rules needs.
@@ -60,15 +70,10 @@ class Judge {
   std::span<const int> bodyOfTriangle() const { return obstacles_.bodyOfTriangle(); }
   DepthKind depthKind(std::size_t part) const { return depths_->kindOf(part); }
 
-  /// Sets the depths. The poses must have their contacts.
-  void measureDepths(std::span<PoseReport> poses);
-  /// Sets the verdicts. The poses must have their contacts and depths.
-  void setVerdicts(std::span<PoseReport> poses) const;
-  /// Sets the clearances, as measureClearances (pose_clearances.h) does.
-  void measureClearances(std::span<PoseReport> poses, const Pose* before, const Pose* after) const;
-  /// Sets `motion` of all poses but the first: the motion from the previous pose. The poses must have all of
-  /// the above.
-  void checkMotions(std::span<PoseReport> poses);
+  /// Judges the next poses of a path, up to `end`, after those that are already judged, and with `motions`
+  /// also the motion to each from the pose before. Adds the time spent. near_miss must be finite.
+  void judgeNext(std::span<const Pose> path, std::size_t end, bool motions, std::vector<PoseReport>& judged,
+                 JudgeTimes& times);
 
   /// Determines which poses are free: their verdict is clear or intended contact under rules whose near_miss,
   /// the tool's margin, is the same for all pairs. Each pose ends at its first hit; this is fastest if
@@ -87,7 +92,12 @@ class Judge {
   PoseState stateAt(const Pose& pose, PoseCache& cache, std::size_t thread);
   std::optional<Obstruction> hitBy(std::size_t part, const Pose& pose, PoseCache& cache) const;
   bool isInside(std::size_t part, const Pose& pose) const;
-  std::vector<PoseReport> endsOf(std::span<const MotionEnds> motions, std::vector<std::size_t>& led_to);
+  std::vector<std::optional<PathQuery>> forbiddenQueries() const;
+  std::vector<double> reaches() const;
+  void findTouches(std::span<PoseReport> poses);
+  void measureDepths(std::span<PoseReport> poses);
+  void measureClearances(std::span<const Pose> path, std::size_t begin, std::span<PoseReport> poses) const;
+  std::vector<PoseReport> endsOf(std::span<const Pose> ends);
 
   std::shared_ptr<const ClusteredOctree> blisk_;
   std::vector<ToolPart> parts_;
@@ -96,6 +106,8 @@ class Judge {
   Obstacles obstacles_;
   std::shared_ptr<PartDepths> depths_;
   MotionCheck motion_check_;
+  int bodies_;                                        // hub, blades and fixtures
+  std::vector<std::unique_ptr<GrindingCell>> cells_;  // one per thread, made on first use
 };
 
 }  // namespace octoblisk::demos

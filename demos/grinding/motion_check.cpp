@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "grinding/pose_clearances.h"
 #include "models/belt_grinder.h"
 #include "models/shared_tree.h"
 #include "octoblisk/sweep.h"
@@ -38,7 +37,7 @@ void keepFirst(MotionReport& report, const MotionReport& found) {
 }  // namespace
 
 /// The depth of a part somewhere on a motion, and the blisk's normal there; zero if it does not touch.
-struct MotionCheck::Touch {
+struct MotionCheck::DepthHere {
   double depth = 0.0;
   Vec3 normal = Vec3::Zero();
 };
@@ -49,7 +48,7 @@ struct MotionCheck::Stretch {
   MotionReport* report = nullptr;  ///< the findings so far
   std::size_t part = 0;
   double begin = 0.0, end = 1.0;  ///< fractions of the motion
-  Touch at_begin = {}, at_end = {};
+  DepthHere at_begin = {}, at_end = {};
   /// No point that may touch goes farther on the whole motion. None: not computed yet.
   std::optional<double> path_length = {};
   bool is_proved = false;
@@ -137,7 +136,7 @@ std::vector<MotionReport> MotionCheck::check(std::span<const PoseReport> poses,
 
 void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, double clearance,
                               MotionReport& report) const {
-  const Motion motion = motionBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion(from.tool_in_blisk, to.tool_in_blisk);
   const bool has_clearances = !from.part_clearances.empty() && !to.part_clearances.empty();
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     const Obstacle* const obstacle = obstacles_.of(part);
@@ -159,7 +158,7 @@ void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, doub
     MotionReport found;
     found.outcome = met->converged ? MotionReport::Outcome::hit : MotionReport::Outcome::not_proved;
     found.fraction = met->fraction;
-    found.at = {part, obstacles_.bodyOfTriangle()[met->clearance.triangle_a], met->clearance};
+    found.at = touchAt(part, obstacles_.bodyOfTriangle()[met->clearance.triangle_a], met->clearance);
     keepFirst(report, found);
   }
 }
@@ -167,14 +166,14 @@ void MotionCheck::sweepMotion(const PoseReport& from, const PoseReport& to, doub
 /// The sections of the motion in which parts that may touch can do so.
 std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& from, const PoseReport& to,
                                                            MotionReport& report) const {
-  const Motion motion = motionBetween(from.tool_in_blisk, to.tool_in_blisk);
+  const Motion motion(from.tool_in_blisk, to.tool_in_blisk);
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
     Stretch stretch{.motion = motion, .report = &report, .part = part};
     const PartDepth *const at_begin = depthInBlisk(from, part), *const at_end = depthInBlisk(to, part);
-    if (at_begin) stretch.at_begin = touchOf(*at_begin);
-    if (at_end) stretch.at_end = touchOf(*at_end);
+    if (at_begin) stretch.at_begin = depthHere(*at_begin);
+    if (at_end) stretch.at_end = depthHere(*at_end);
     if (stretch.greatestDepth() > rules_.maxDepth(part)) {
       leaveUnchecked(report);
       stretch.path_length = motion.lengthBound(*parts_[part].tree);
@@ -199,13 +198,13 @@ const PartDepth* MotionCheck::depthInBlisk(const PoseReport& pose, std::size_t p
   return found == pose.depths.end() ? nullptr : &*found;
 }
 
-MotionCheck::Touch MotionCheck::touchOf(const PartDepth& depth) const {
+MotionCheck::DepthHere MotionCheck::depthHere(const PartDepth& depth) const {
   return {depth.depth, unitNormal(blisk_->mesh().triangle(depth.triangle_of_blisk))};
 }
 
 bool MotionCheck::isProved(const Stretch& stretch) const {
   if (stretch.at_begin.normal.isZero() && stretch.at_end.normal.isZero()) {
-    const Motion motion = motionBetween(stretch.motion.at(stretch.begin), stretch.motion.at(stretch.end));
+    const Motion motion(stretch.motion.at(stretch.begin), stretch.motion.at(stretch.end));
     return !sweep(*blisk_, *parts_[stretch.part].tree, motion, kMotionTolerance);
   }
   const std::optional<DepthProof>& proof = depth_proofs_[stretch.part];
@@ -221,9 +220,8 @@ void MotionCheck::noteUnproved(const Stretch& stretch) const {
   if (report.hasFinding()) return;
   report.outcome = MotionReport::Outcome::not_proved;
   report.fraction = stretch.begin;
-  report.at.part = stretch.part;
-  report.at.clearance = distance(*blisk_, *parts_[stretch.part].tree, stretch.motion.at(stretch.begin));
-  report.at.blade = obstacles_.bodyOfTriangle()[report.at.clearance.triangle_a];
+  const Clearance nearest = distance(*blisk_, *parts_[stretch.part].tree, stretch.motion.at(stretch.begin));
+  report.at = touchAt(stretch.part, obstacles_.bodyOfTriangle()[nearest.triangle_a], nearest);
 }
 
 void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth& depth,
@@ -232,10 +230,10 @@ void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth
   const bool is_proved = depth.is_known || depth.depth > rules_.maxDepth(part);
   too_deep.outcome = is_proved ? MotionReport::Outcome::too_deep : MotionReport::Outcome::not_proved;
   too_deep.fraction = fraction;
-  too_deep.at = {part, obstacles_.bodyOfTriangle()[depth.triangle_of_blisk], {}};
-  too_deep.at.clearance.distance = -depth.depth;
-  too_deep.at.clearance.point_on_a = depth.point_on_blisk;
-  too_deep.at.clearance.triangle_a = depth.triangle_of_blisk;
+  too_deep.at = {
+      .part = part, .blade = obstacles_.bodyOfTriangle()[depth.triangle_of_blisk], .depth = depth.depth};
+  too_deep.at.contact = {
+      .point_on_a = depth.point_on_blisk, .distance = -depth.depth, .triangle_a = depth.triangle_of_blisk};
   keepFirst(report, too_deep);
 }
 
@@ -274,7 +272,7 @@ void MotionCheck::halve(std::vector<Stretch>& unproved) {
     Stretch first = std::move(long_ones[i]), second = first;
     const double middle = 0.5 * (first.begin + first.end);
     first.end = second.begin = middle;
-    first.at_end = second.at_begin = found[i] ? touchOf(*found[i]) : Touch();
+    first.at_end = second.at_begin = found[i] ? depthHere(*found[i]) : DepthHere();
     const bool is_free = !found[i] || (found[i]->is_known && !found[i]->is_inside &&
                                        found[i]->depth <= rules_.maxDepth(first.part));
     unproved.push_back(std::move(first));

@@ -29,7 +29,7 @@ class MotionCheck {
               const VerdictRules& rules, const Obstacles& obstacles, PartDepths& depths, int threads);
 
   /// Checks the motions to some poses (`led_to`, ascending, above 0), each from the previous pose. The poses
-  /// need the depths of the parts that may touch; their clearances (pose_clearances.h) save work.
+  /// need the depths of the parts that may touch; their clearances save work.
   /// Conservative advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses
   /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMotionTolerance) is a
   /// hit. The check also proves that the parts that may touch stay within their depth limits. If it cannot
@@ -39,7 +39,7 @@ class MotionCheck {
                                   double clearance);
 
  private:
-  struct Touch;
+  struct DepthHere;
   struct Stretch;
   /// Triangles of a part that may touch, without those near the tool's origin, which turns move little.
   struct FarPart {
@@ -55,7 +55,7 @@ class MotionCheck {
   bool isProved(const Stretch& stretch) const;
   void halve(std::vector<Stretch>& unproved);
   const PartDepth* depthInBlisk(const PoseReport& pose, std::size_t part) const;
-  Touch touchOf(const PartDepth& depth) const;
+  DepthHere depthHere(const PartDepth& depth) const;
   void noteUnproved(const Stretch& stretch) const;
   void noteTooDeep(std::size_t part, double fraction, const PartDepth& depth, MotionReport& report) const;
 

@@ -22,7 +22,10 @@ struct BladeChoice {
   Kind kind = Kind::any;
   int number = 0;  ///< from 1, if the kind is a number
 
-  bool includes(int blade, int ground_blade) const;
+  bool includes(int blade, int ground_blade) const {
+    if (kind == Kind::ground) return blade != 0 && blade == ground_blade;
+    return kind == Kind::any || blade == (kind == Kind::hub ? 0 : number);
+  }
 };
 
 /// A part that may touch some blades; without a part: every part.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "grinding/fixture.h"
-#include "grinding/grinding_cell.h"
 #include "octoblisk/depth.h"
 #include "octoblisk/surface.h"
 
@@ -28,6 +27,7 @@ struct PartDepth {
   /// False if the part is at a sheet of the blisk (octoblisk/surface.h), for example at a hole: it may be
   /// deeper, or not in the blisk at all.
   bool is_known = true;
+  int blade = 0;  ///< of the triangle (BodyNames); Judge sets it
 };
 
 /// The meaning of a part's depth.

@@ -38,79 +38,68 @@ double VerdictRules::margin(std::size_t part, int blade) const {
   return margin;
 }
 
-Verdict verdictOf(const PartContact& contact, int blade, const PartDepth* depth, const VerdictRules& rules) {
-  const double distance = contact.contact.distance;
+Touch touchAt(std::size_t part, int blade, const Clearance& nearest) {
+  const Vec3 normal = (nearest.point_on_a - nearest.point_on_b).normalized();
+  return {part,
+          blade,
+          {nearest.point_on_a, nearest.point_on_b, normal, nearest.distance, nearest.triangle_a,
+           nearest.triangle_b},
+          0.0 - nearest.distance,
+          blade};
+}
+
+Verdict verdictOf(const Touch& touch, const PartDepth* depth, const VerdictRules& rules) {
+  const double distance = touch.contact.distance;
   const bool touches = distance <= 0.0;
-  if (rules.allows(contact.part, blade)) {
+  if (rules.allows(touch.part, touch.blade)) {
     if (!touches) return Verdict::clear;
     if (depth == nullptr) return Verdict::intended_contact;
-    if (depth->depth > rules.maxDepth(contact.part)) return Verdict::interference;
+    if (depth->depth > rules.maxDepth(touch.part)) return Verdict::interference;
     return depth->is_known ? Verdict::intended_contact : Verdict::unknown;
   }
   if (touches) return Verdict::interference;
-  return distance <= rules.margin(contact.part, blade) ? Verdict::near_miss : Verdict::clear;
+  return distance <= rules.margin(touch.part, touch.blade) ? Verdict::near_miss : Verdict::clear;
 }
 
-void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules) {
-  for (PoseReport& pose : poses) {
-    pose.verdicts.clear();
-    pose.verdict = Verdict::clear;
-    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      const PartContact& contact = pose.contacts[c];
-      const auto deepest = std::ranges::find(pose.depths, contact.part, &PartDepth::part);
-      pose.verdicts.push_back(
-          verdictOf(contact, pose.blades[c], deepest == pose.depths.end() ? nullptr : &*deepest, rules));
-      pose.verdict = std::max(pose.verdict, pose.verdicts.back());
-    }
-    for (const PartDepth& deepest : pose.depths) {
-      if (!deepest.is_inside) continue;
-      pose.verdict = std::max(pose.verdict, deepest.is_known ? Verdict::interference : Verdict::unknown);
-    }
+void setVerdicts(PoseReport& pose, const VerdictRules& rules) {
+  for (Touch& touch : pose.touches) {
+    const auto found = std::ranges::find(pose.depths, touch.part, &PartDepth::part);
+    const PartDepth* const deepest = found == pose.depths.end() ? nullptr : &*found;
+    const bool has_depth = deepest && touch.contact.distance <= 0.0;
+    touch.depth = has_depth ? deepest->depth : 0.0 - touch.contact.distance;
+    touch.deepest_blade = has_depth ? deepest->blade : touch.blade;
+    touch.verdict = verdictOf(touch, deepest, rules);
   }
-}
-
-std::optional<WorstTouch> worstTouch(const PoseReport& pose) {
-  using Rank = std::tuple<Verdict, double, bool, double>;
-  std::optional<std::pair<Rank, WorstTouch>> worst;
-  const auto consider = [&](const Rank& rank, const WorstTouch& touch) {
-    if (!worst || rank > worst->first) worst = {rank, touch};
-  };
-  for (std::size_t d = 0; d < pose.depths.size(); ++d) {
-    const PartDepth& deepest = pose.depths[d];
-    const int blade = pose.depth_blades[d];
+  for (const PartDepth& deepest : pose.depths) {
     if (!deepest.is_inside) continue;
-    consider(
-        {deepest.is_known ? Verdict::interference : Verdict::unknown, deepest.depth, true, 0.0},
-        {deepest.part, blade, blade, deepest.depth, deepest.point_on_blisk, true, deepest.triangle_of_blisk});
+    Touch inside{.part = deepest.part,
+                 .blade = deepest.blade,
+                 .depth = deepest.depth,
+                 .deepest_blade = deepest.blade,
+                 .is_inside = true};
+    inside.contact = {.point_on_a = deepest.point_on_blisk,
+                      .normal = Vec3::Zero(),
+                      .triangle_a = deepest.triangle_of_blisk};
+    inside.verdict = deepest.is_known ? Verdict::interference : Verdict::unknown;
+    pose.touches.push_back(inside);
   }
-  for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-    const auto& [part, contact] = pose.contacts[c];
-    WorstTouch touch{part,  pose.blades[c],     pose.blades[c], 0.0 - contact.distance, contact.point_on_a,
-                     false, contact.triangle_a, contact.normal};
-    const auto deepest = std::ranges::find(pose.depths, part, &PartDepth::part);
-    if (contact.distance <= 0.0 && deepest != pose.depths.end()) {
-      touch.depth = deepest->depth;
-      touch.deepest_blade = pose.depth_blades[static_cast<std::size_t>(deepest - pose.depths.begin())];
-    }
-    consider({pose.verdicts[c], touch.depth, touch.blade == touch.deepest_blade, -contact.distance}, touch);
-  }
-  if (!worst) return std::nullopt;
-  return worst->second;
+  pose.verdict = Verdict::clear;
+  for (const Touch& touch : pose.touches) pose.verdict = std::max(pose.verdict, touch.verdict);
 }
 
-std::optional<WorstTouch> worstOrNearest(const PoseReport& pose) {
-  if (const std::optional<WorstTouch> worst = worstTouch(pose)) return worst;
-  if (!pose.clearance) return std::nullopt;
-  const auto& [part, blade, clearance] = *pose.clearance;
-  const Vec3 towards = clearance.point_on_a - clearance.point_on_b;
-  return WorstTouch{part,
-                    blade,
-                    blade,
-                    0.0 - clearance.distance,
-                    clearance.point_on_a,
-                    false,
-                    clearance.triangle_a,
-                    towards.normalized()};
+const Touch* worstTouch(const PoseReport& pose) {
+  // Of equally bad ones, a part that is wholly inside counts first.
+  const auto rank = [](const Touch& touch) {
+    return std::tuple(touch.verdict, touch.depth, touch.blade == touch.deepest_blade, -touch.contact.distance,
+                      touch.is_inside);
+  };
+  const auto worst = std::ranges::max_element(pose.touches, {}, rank);
+  return worst == pose.touches.end() ? nullptr : &*worst;
+}
+
+const Touch* worstOrNearest(const PoseReport& pose) {
+  if (const Touch* const worst = worstTouch(pose)) return worst;
+  return pose.clearance ? &*pose.clearance : nullptr;
 }
 
 }  // namespace octoblisk::demos

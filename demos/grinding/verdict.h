@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "grinding/grinding_cell.h"
 #include "grinding/pair_rules.h"
 #include "grinding/part_depths.h"
 #include "octoblisk/distance.h"
@@ -41,19 +40,27 @@ struct VerdictRules {
   double margin(std::size_t part, int blade) const;
 };
 
-/// The verdict of one contact with a blade (0: hub or shroud) of a part whose depth in the blisk is `depth`;
-/// null if no depth was found. A contact with a blade that the part may touch is intended up to the part's
-/// greatest depth, unknown if the depth is unknown, and clear if the two are apart. Any other touch is
-/// interference; any other contact that is apart is a near miss if it is within the pair's margin.
-Verdict verdictOf(const PartContact& contact, int blade, const PartDepth* depth, const VerdictRules& rules);
-
-/// The clearance of a part from its obstacles; 0 if it touches one. The blisk is A; points and triangles are
-/// those of the whole blisk.
-struct PartClearance {
+/// A part and a body that touch or are near each other. The body is A of the contact, the part B; points and
+/// normal are in the blisk's frame (mm), and A's triangles are those of the surroundings (fixture.h).
+struct Touch {
   std::size_t part = 0;
-  int blade = 0;
-  Clearance clearance;
+  int blade = 0;  ///< 0: hub or shroud; above the number of blades: a fixture (BodyNames)
+  /// The normal is zero if no surfaces are near.
+  Contact contact = {};
+  double depth = 0.0;      ///< of the part in the blisk, on whichever blade; a clearance is negative (mm)
+  int deepest_blade = 0;   ///< in which the part is deepest; `blade` if it is apart
+  bool is_inside = false;  ///< one lies wholly inside the other; the contact is the deepest point on the body
+  Verdict verdict = Verdict::clear;
 };
+
+/// Where a part is nearest to a body.
+Touch touchAt(std::size_t part, int blade, const Clearance& nearest);
+
+/// The verdict of a touch of a part whose depth in the blisk is `depth`; null if no depth was found. A touch
+/// of a blade that the part may touch is intended up to the part's greatest depth, unknown if the depth is
+/// unknown, and clear if the two are apart. Any other touch is interference; if the two are apart, it is a
+/// near miss if it is within the pair's margin.
+Verdict verdictOf(const Touch& touch, const PartDepth* depth, const VerdictRules& rules);
 
 /// The findings on the motion from the previous pose, apart from those at the two poses.
 struct MotionReport {
@@ -69,7 +76,7 @@ struct MotionReport {
   };
   Outcome outcome = Outcome::free;
   double fraction = 1.0;  ///< of the motion that is free
-  PartClearance at;       ///< at that fraction; for a part that is too deep, its depth as a negative distance
+  Touch at;               ///< at that fraction
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.
   double depth_bound = 0.0;
   /// Whether all of these parts are proved to stay within their limits (depth_proof.h). Otherwise one exceeds
@@ -79,43 +86,27 @@ struct MotionReport {
   bool hasFinding() const { return outcome != Outcome::free && outcome != Outcome::not_checked; }
 };
 
-/// A pose of the path with its contacts: all of them, or those that reduceContacts keeps.
+/// A pose of the path: what the tool touches there, and the verdict.
 struct PoseReport {
   Pose tool_in_blisk;
-  std::vector<PartContact> contacts;
-  std::vector<int> blades;        ///< per contact
-  std::vector<PartDepth> depths;  ///< of the parts that touch the blisk or lie in it
-  std::vector<int> depth_blades;  ///< per depth: the blade in which the part is deepest
-  std::vector<Verdict> verdicts;  ///< per contact
+  std::vector<Touch> touches;
   Verdict verdict = Verdict::clear;
-  std::optional<PartClearance> clearance;  ///< the least of all parts; none if nothing is forbidden
+  std::vector<PartDepth> depths;   ///< of the parts that touch the blisk or lie in it
+  std::optional<Touch> clearance;  ///< the least of all parts from what they must not touch; none: no such
   /// Per part, a lower bound of its clearance, as great as the motions need. May be empty.
   std::vector<double> part_clearances;
   std::optional<MotionReport> motion;  ///< from the previous pose
 };
 
-/// Sets the verdicts of all contacts and poses. A part wholly inside the blisk, or around it, is
-/// interference; the verdict is unknown if this is not known.
-void setVerdicts(std::span<PoseReport> poses, const VerdictRules& rules);
+/// Sets the depths and verdicts of a pose's touches, and its own verdict. Adds a touch for each part wholly
+/// inside the blisk, or around it: that is interference; the verdict is unknown if this is not known.
+void setVerdicts(PoseReport& pose, const VerdictRules& rules);
 
-/// The touch that decides a pose's verdict.
-struct WorstTouch {
-  std::size_t part = 0;
-  int blade = 0;          ///< that it touches, or in which it is deepest
-  int deepest_blade = 0;  ///< in which the part is deepest; `blade` if it is apart
-  double depth = 0.0;     ///< of the part in the blisk, on whichever blade; a clearance is negative (mm)
-  Vec3 point_on_blisk = Vec3::Zero();
-  bool is_inside = false;  ///< one lies wholly inside the other
-  std::uint32_t triangle_of_blisk = 0;
-  /// Of unit length, in the blisk's frame, from the part into the blisk; zero if no surfaces are near.
-  Vec3 normal = Vec3::Zero();
-};
-
-/// The touch with the worst verdict and, among these, the deepest part, where it is deepest if possible. None
-/// if a judged pose has neither contacts nor depths.
-std::optional<WorstTouch> worstTouch(const PoseReport& pose);
+/// The touch that decides the verdict of a judged pose: with the worst verdict and, among these, of the
+/// deepest part, where it is deepest if possible. Null if nothing touches or is near.
+const Touch* worstTouch(const PoseReport& pose);
 
 /// The same; for a clear pose, the place nearest to an obstacle.
-std::optional<WorstTouch> worstOrNearest(const PoseReport& pose);
+const Touch* worstOrNearest(const PoseReport& pose);
 
 }  // namespace octoblisk::demos

@@ -32,12 +32,12 @@ Color colorOf(Verdict verdict) {
 /// The blisk, with the ground blade in its own colour.
 void addBlisk(const GrindingRun& run, Picture& picture) {
   constexpr Color kGroundBlade{0.93f, 0.80f, 0.86f};
-  std::vector<Color> colors(run.blisk->mesh().triangleCount(), palette::kSteel);
-  const int ground = run.rules.ground_blade;
+  std::vector<Color> colors(run.job.blisk->mesh().triangleCount(), palette::kSteel);
+  const int ground = run.job.rules.ground_blade;
   for (std::size_t t = 0; ground != 0 && t < colors.size(); ++t) {
-    if (run.blade_of_triangle[t] == ground) colors[t] = kGroundBlade;
+    if (run.job.blades.blade_of_triangle[t] == ground) colors[t] = kGroundBlade;
   }
-  picture.scene.addMesh(run.blisk->mesh(), {}, colors);
+  picture.scene.addMesh(run.job.blisk->mesh(), {}, colors);
   picture.annotation.legend.push_back({palette::kSteel, "blisk"});
   if (ground != 0) {
     picture.annotation.legend.push_back({kGroundBlade, "ground blade " + std::to_string(ground)});
@@ -46,14 +46,14 @@ void addBlisk(const GrindingRun& run, Picture& picture) {
 
 void addFixtures(const GrindingRun& run, Picture& picture) {
   constexpr Color kFixture{0.63f, 0.55f, 0.45f};
-  for (const Fixture& fixture : run.fixtures) {
+  for (const Fixture& fixture : run.job.fixtures) {
     picture.scene.addMesh(fixture.tree->mesh(), {}, kFixture);
     picture.annotation.legend.push_back({kFixture, fixture.name});
   }
 }
 
 void addTool(const GrindingRun& run, const PoseReport& pose, Picture& picture) {
-  for (const ToolPart& part : run.parts) {
+  for (const ToolPart& part : run.job.parts) {
     picture.scene.addMesh(part.tree->mesh(), pose.tool_in_blisk, colorOf(part.name));
     const bool wheel = part.name == "drive wheel";  // one entry for both wheels
     if (!wheel) {
@@ -67,8 +67,8 @@ void addContacts(const PoseReport& pose, float width, Picture& picture) {
   for (const Verdict verdict :
        {Verdict::near_miss, Verdict::intended_contact, Verdict::unknown, Verdict::interference}) {
     std::vector<Vec3> points;
-    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      if (pose.verdicts[c] == verdict) points.push_back(pose.contacts[c].contact.point_on_a);
+    for (const Touch& touch : pose.touches) {
+      if (touch.verdict == verdict && !touch.is_inside) points.push_back(touch.contact.point_on_a);
     }
     if (points.empty()) continue;
     picture.scene.addPoints(
@@ -114,13 +114,13 @@ struct Focus {
 };
 
 Focus focusOf(const GrindingRun& run, const PoseReport& pose) {
-  if (const std::optional<WorstTouch> worst = worstTouch(pose)) {
-    return {worst->point_on_blisk, kCloseUp, describeWorst(run, pose)};
+  if (const Touch* const worst = worstTouch(pose)) {
+    return {worst->contact.point_on_a, kCloseUp, describeWorst(run, pose)};
   }
   Clearance nearest;
   std::string part;
-  for (const ToolPart& each : run.parts) {
-    const Clearance clearance = distance(*run.blisk, *each.tree, pose.tool_in_blisk);
+  for (const ToolPart& each : run.job.parts) {
+    const Clearance clearance = distance(*run.job.blisk, *each.tree, pose.tool_in_blisk);
     if (!part.empty() && clearance.distance >= nearest.distance) continue;
     nearest = clearance;
     part = each.name;
@@ -134,23 +134,23 @@ Focus focusOf(const GrindingRun& run, const PoseReport& pose) {
 }
 
 /// The blisk's axis in its mesh's frame.
-Vec3 axisOf(const GrindingRun& run) { return run.mesh_in_blisk.rotation.row(2).transpose(); }
+Vec3 axisOf(const GrindingRun& run) { return run.job.mesh_in_blisk.rotation.row(2).transpose(); }
 
 /// The direction from the axis to the contact wheel, in the mesh's frame.
 Vec3 outwardOf(const GrindingRun& run, const PoseReport& pose) {
-  const Vec3 wheel = run.mesh_in_blisk * pose.tool_in_blisk.translation;
+  const Vec3 wheel = run.job.mesh_in_blisk * pose.tool_in_blisk.translation;
   const double radius = std::hypot(wheel.x(), wheel.y());
   const Vec3 outward = radius > 0.0 ? Vec3(wheel.x() / radius, wheel.y() / radius, 0.0) : Vec3::UnitX();
-  return run.mesh_in_blisk.rotation.transpose() * outward;
+  return run.job.mesh_in_blisk.rotation.transpose() * outward;
 }
 
 }  // namespace
 
 std::string describeWorst(const GrindingRun& run, const PoseReport& pose) {
   const BodyNames names = run.names();
-  const WorstTouch worst = worstTouch(pose).value();
+  const Touch& worst = *worstTouch(pose);
   std::ostringstream text;
-  text << run.parts[worst.part].name
+  text << run.job.parts[worst.part].name
        << (!worst.is_inside               ? " on "
            : names.isFixture(worst.blade) ? " wholly inside, or around, "
                                           : " wholly inside the blisk, or around it, near ")
@@ -165,7 +165,7 @@ std::size_t poseToShow(const GrindingRun& run) {
   std::pair<Verdict, double> worst = {Verdict::clear, 0.0};
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
-    const std::optional<WorstTouch> touch = worstTouch(pose);
+    const Touch* const touch = worstTouch(pose);
     if (!touch || pose.verdict == Verdict::clear) continue;
     const std::pair rank = {pose.verdict, touch->depth};
     if (rank <= worst) continue;
@@ -200,7 +200,7 @@ Picture closeupOf(const GrindingRun& run) {
   addBlisk(run, closeup);
   addFixtures(run, closeup);
   addTool(run, pose, closeup);
-  if (const std::vector<Obb> boxes = boxesNear(*run.blisk, center); !boxes.empty()) {
+  if (const std::vector<Obb> boxes = boxesNear(*run.job.blisk, center); !boxes.empty()) {
     closeup.scene.addBoxes(boxes, {.color = palette::kBlue, .width = 1.6f, .hidden_opacity = 0.3f});
     closeup.annotation.legend.push_back(
         {palette::kBlue, "boxes of the tree, level " + std::to_string(kBoxDepth) + " (faint where hidden)",

@@ -28,25 +28,23 @@ std::size_t verdictOfMotion(MotionReport::Outcome outcome) {
 }
 
 std::optional<ReplayNearest> worstOf(const GrindingRun& run, const PoseReport& pose) {
-  const std::optional<WorstTouch> worst = worstOrNearest(pose);
+  const Touch* const worst = worstOrNearest(pose);
   if (!worst) return std::nullopt;
-  return ReplayNearest{worst->part, worst->blade, worst->depth,
-                       run.faceOf(worst->triangle_of_blisk, worst->blade)};
+  return ReplayNearest{worst->part, worst->blade, worst->depth, run.faceOf(*worst)};
 }
 
 ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
   ReplayPose shown;
   shown.tool_in_blisk = pose.tool_in_blisk;
   shown.verdict = static_cast<std::size_t>(pose.verdict);
-  for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-    const auto& [part, contact] = pose.contacts[c];
-    shown.contacts.push_back({static_cast<std::size_t>(pose.verdicts[c]), part, pose.blades[c],
-                              contact.point_on_a, contact.normal, 0.0 - contact.distance});
+  for (const Touch& touch : pose.touches) {
+    if (touch.is_inside) continue;
+    shown.contacts.push_back({static_cast<std::size_t>(touch.verdict), touch.part, touch.blade,
+                              touch.contact.point_on_a, touch.contact.normal, 0.0 - touch.contact.distance});
   }
   shown.worst = worstOf(run, pose);
-  if (pose.clearance) {
-    shown.clearance = ReplayNearest{
-        pose.clearance->part, pose.clearance->blade, 0.0 - pose.clearance->clearance.distance, {}};
+  if (const auto& nearest = pose.clearance) {
+    shown.clearance = ReplayNearest{nearest->part, nearest->blade, nearest->depth, {}};
   }
   return shown;
 }
@@ -54,10 +52,10 @@ ReplayPose replayPoseOf(const GrindingRun& run, const PoseReport& pose) {
 void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFinding>& findings) {
   const PoseReport& pose = run.poses[p];
   if (pose.motion && pose.motion->hasFinding()) {
-    const PartClearance& at = pose.motion->at;
+    const Touch& at = pose.motion->at;
     findings.push_back({static_cast<double>(p) - 1.0 + pose.motion->fraction,
-                        verdictOfMotion(pose.motion->outcome), at.part, at.blade,
-                        run.faceOf(at.clearance.triangle_a, at.blade), 0.0 - at.clearance.distance, p});
+                        verdictOfMotion(pose.motion->outcome), at.part, at.blade, run.faceOf(at), at.depth,
+                        p});
   }
   if (pose.verdict < Verdict::near_miss) return;
   ReplayFinding finding{.at = static_cast<double>(p), .verdict = static_cast<std::size_t>(pose.verdict)};
@@ -90,12 +88,13 @@ std::string titleOf(const GrindingRun& run) {
 }
 
 std::string subtitleOf(const GrindingRun& run) {
-  std::string text =
-      run.isPartial() ? "Stopped after " + ofPoses(run.poses.size(), run.path_poses) + ". " : std::string();
-  const int blade = run.rules.ground_blade;
-  text += blade == 0
-              ? std::string("No blade is ground")
-              : "Blade " + std::to_string(blade) + " of " + std::to_string(run.blade_count) + " is ground";
+  std::string text = run.isPartial()
+                         ? "Stopped after " + ofPoses(run.poses.size(), run.job.path.size()) + ". "
+                         : std::string();
+  const int blade = run.job.rules.ground_blade;
+  text += blade == 0 ? std::string("No blade is ground")
+                     : "Blade " + std::to_string(blade) + " of " + std::to_string(run.job.blades.count) +
+                           " is ground";
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict >= Verdict::unknown) {
     text += "; worst is pose " + std::to_string(poseToShow(run)) + ", " + describeWorst(run, shown);
@@ -122,37 +121,37 @@ Table partsTable(const GrindingRun& run) {
   Table table{.name = "parts",
               .caption = "Parts of the tool",
               .columns = {"Part", "Triangles", "May touch", "Greatest depth, mm", "Depth measured"}};
-  for (std::size_t part = 0; part < run.parts.size(); ++part) {
+  for (std::size_t part = 0; part < run.job.parts.size(); ++part) {
     std::string touches;
     const auto add = [&](const std::string& what) {
       if (!touches.empty()) touches += ", ";
       touches += what;
     };
-    if (part == run.rules.grinding_part && run.rules.ground_blade != 0) {
-      add("ground blade " + std::to_string(run.rules.ground_blade));
+    if (part == run.job.rules.grinding_part && run.job.rules.ground_blade != 0) {
+      add("ground blade " + std::to_string(run.job.rules.ground_blade));
     }
-    for (const AllowedPair& pair : run.rules.allowed) {
+    for (const AllowedPair& pair : run.job.rules.allowed) {
       if (pair.part.value_or(part) == part) add(bladeChoiceText(pair.blade));
     }
     constexpr std::array kHow = {"as solids", "as an open surface in the solid blisk"};
     const auto how = static_cast<std::size_t>(run.depth_kinds[part]);
-    table.rows.push_back({run.parts[part].name, std::to_string(run.parts[part].tree->mesh().triangleCount()),
-                          touches.empty() ? "nothing" : touches,
-                          touches.empty() ? std::string("–") : shortText(run.rules.maxDepth(part)),
-                          kHow[how]});
+    table.rows.push_back(
+        {run.job.parts[part].name, std::to_string(run.job.parts[part].tree->mesh().triangleCount()),
+         touches.empty() ? "nothing" : touches,
+         touches.empty() ? std::string("–") : shortText(run.job.rules.maxDepth(part)), kHow[how]});
   }
   return table;
 }
 
 Table limitsTable(const GrindingRun& run) {
   Table table{.name = "limits", .caption = "Limits and tolerances"};
-  table.rows.push_back({"Near miss", "closer than " + shortText(run.rules.near_miss) + " mm"});
-  for (const PairMargin& row : run.rules.margins) {
-    const std::string part = row.part ? run.parts[*row.part].name : std::string("every part");
+  table.rows.push_back({"Near miss", "closer than " + shortText(run.job.rules.near_miss) + " mm"});
+  for (const PairMargin& row : run.job.rules.margins) {
+    const std::string part = row.part ? run.job.parts[*row.part].name : std::string("every part");
     table.rows.push_back({"Near miss, " + part, "closer than " + shortText(row.near_miss) + " mm to " +
                                                     bladeChoiceText(row.blade)});
   }
-  if (run.continuous) {
+  if (run.job.continuous) {
     table.rows.push_back({"Motions", "proved to stay " + shortText(kMotionTolerance) +
                                          " mm away from all forbidden surfaces"});
     table.rows.push_back({"Depth on motions", depthOnMotions(run)});
@@ -165,18 +164,18 @@ Table limitsTable(const GrindingRun& run) {
 }
 
 Table inputTable(const GrindingRun& run) {
-  const BuildStats& tree = run.blisk->stats();
+  const BuildStats& tree = run.job.blisk->stats();
   return {.name = "input",
           .caption = "Input",
-          .rows = {
-              {"Blisk", run.blisk_name},
-              {"Triangles of the blisk", std::to_string(tree.triangles)},
-              {"Blades of the blisk", std::to_string(run.blade_count)},
-              {"Tree of the blisk", partitionText(run.blisk->options()) + ", " + std::to_string(tree.leaves) +
-                                        " leaf boxes on up to " + std::to_string(tree.depth) + " levels"},
-              {"Tool", run.tool_name},
-              {"Path", run.path_name},
-              {"Poses of the path", std::to_string(run.path_poses)}}};
+          .rows = {{"Blisk", run.blisk_name},
+                   {"Triangles of the blisk", std::to_string(tree.triangles)},
+                   {"Blades of the blisk", std::to_string(run.job.blades.count)},
+                   {"Tree of the blisk", partitionText(run.job.blisk->options()) + ", " +
+                                             std::to_string(tree.leaves) + " leaf boxes on up to " +
+                                             std::to_string(tree.depth) + " levels"},
+                   {"Tool", run.tool_name},
+                   {"Path", run.path_name},
+                   {"Poses of the path", std::to_string(run.job.path.size())}}};
 }
 
 }  // namespace
@@ -211,9 +210,9 @@ ReplayTrack grindingTrack(const GrindingRun& run, const std::string& name) {
 ReplayChart clearanceChart(const GrindingRun& run) {
   constexpr double kLinear = 0.1;  // mm
   ReplayChart chart{.title = "Clearance and depth over the path", .unit = "mm", .linear_within = kLinear};
-  chart.limits.push_back({run.rules.near_miss, "near miss below " + shortText(run.rules.near_miss)});
-  if (run.rules.grinding_part != kNoPart) {
-    const double most = run.rules.maxDepth(run.rules.grinding_part);
+  chart.limits.push_back({run.job.rules.near_miss, "near miss below " + shortText(run.job.rules.near_miss)});
+  if (run.job.rules.grinding_part != kNoPart) {
+    const double most = run.job.rules.maxDepth(run.job.rules.grinding_part);
     chart.limits.push_back({-most, "greatest intended depth " + shortText(most)});
   }
   return chart;
@@ -237,7 +236,7 @@ Replay grindingReplay(const GrindingRun& run) {
     if (verdict == Verdict::unknown && run.count(verdict) == 0) continue;
     replay.counts.push_back({nameOf(verdict), run.count(verdict), replay.verdicts[v].tone});
   }
-  if (run.continuous) {
+  if (run.job.continuous) {
     replay.counts.push_back(
         {"motions that hit, or too deep",
          run.count(MotionReport::Outcome::hit) + run.count(MotionReport::Outcome::too_deep),
@@ -246,12 +245,12 @@ Replay grindingReplay(const GrindingRun& run) {
       replay.counts.push_back({"motions not proved", open, Tone::open});
     }
   }
-  replay.blisk = run.blisk;
-  replay.blade_of_triangle = run.blade_of_triangle;
-  replay.blade_count = run.blade_count;
-  replay.ground_blade = run.rules.ground_blade;
-  replay.fixtures = run.fixtures;
-  replay.parts = run.parts;
+  replay.blisk = run.job.blisk;
+  replay.blade_of_triangle = run.job.blades.blade_of_triangle;
+  replay.blade_count = run.job.blades.count;
+  replay.ground_blade = run.job.rules.ground_blade;
+  replay.fixtures = run.job.fixtures;
+  replay.parts = run.job.parts;
   replay.charts = {clearanceChart(run)};
   replay.tracks.push_back(grindingTrack(run, "path"));
   replay.start_at = static_cast<double>(poseToShow(run));

@@ -17,8 +17,6 @@
 namespace octoblisk::demos {
 namespace {
 
-double depthOf(const Contact& contact) { return 0.0 - contact.distance; }  // 0, not -0, for a mere touch
-
 /// The definition of a part's depth in poses.csv.
 std::string nameOf(DepthKind kind) {
   switch (kind) {
@@ -47,62 +45,48 @@ std::string nameOf(MotionReport::Outcome outcome) {
   return {};
 }
 
-void writeTouch(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
-  const std::optional<WorstTouch> worst = worstOrNearest(pose);
-  if (!worst) {
-    stream << ",,,,,,,,,,";
-    return;
-  }
-  stream << run.parts[worst->part].name << ',' << run.names().cellOf(worst->blade) << ',' << worst->depth
-         << ',' << run.sideOf(worst->triangle_of_blisk, worst->blade);
-  for (const double value : worst->point_on_blisk) stream << ',' << value;
-  for (const double value : worst->normal) {
+/// "arm,3": two cells.
+std::string partAndBody(const GrindingRun& run, const Touch& touch) {
+  return run.job.parts[touch.part].name + ',' + run.names().cellOf(touch.blade);
+}
+
+/// The worst touch or, without one, the nearest place.
+void writeTouch(const GrindingRun& run, const Touch& touch, std::ostream& stream) {
+  stream << partAndBody(run, touch) << ',' << touch.depth << ',' << run.sideOf(touch);
+  for (const double value : touch.contact.point_on_a) stream << ',' << value;
+  for (const double value : touch.contact.normal) {
     stream << ',';
-    if (!worst->normal.isZero()) stream << value;
+    if (!touch.contact.normal.isZero()) stream << value;
+  }
+}
+
+void writePose(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
+  const Touch* const worst = worstOrNearest(pose);
+  const std::optional<Touch>& clearance = pose.clearance;
+  const std::optional<MotionReport>& motion = pose.motion;
+  stream << nameOf(pose.verdict) << ',';
+  if (worst) {
+    writeTouch(run, *worst, stream);
+  } else {
+    stream << ",,,,,,,,,";
   }
   stream << ',';
-}
-
-void writeClearance(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
-  if (const auto& nearest = pose.clearance) {
-    stream << nearest->clearance.distance << ',' << run.parts[nearest->part].name << ','
-           << run.names().cellOf(nearest->blade) << ',';
-  } else {
-    stream << ",,,";
-  }
-}
-
-void writeMotion(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
-  if (!pose.motion) {
-    stream << ",,,,";
-    return;
-  }
-  stream << nameOf(pose.motion->outcome) << ',' << pose.motion->fraction << ',';
-  if (!pose.motion->hasFinding()) {
-    stream << ",,";
-  } else {
-    stream << run.parts[pose.motion->at.part].name << ',' << run.names().cellOf(pose.motion->at.blade) << ',';
-  }
-}
-
-/// The blade's side by its shape, if that is known, and the channel that it bounds.
-void writeFace(const GrindingRun& run, const PoseReport& pose, std::ostream& stream) {
-  const std::optional<WorstTouch> worst = worstOrNearest(pose);
-  const std::string side = worst ? run.sideOf(worst->triangle_of_blisk, worst->blade) : "";
-  if (run.convex_side && worst) stream << run.faceOf(worst->triangle_of_blisk, worst->blade);
-  stream << ',' << (worst ? channelOf(side, worst->blade, run.blade_count) : "");
-}
-
-/// The upper bound of the depth on the motion.
-void writeDepthOfMotion(const PoseReport& pose, std::ostream& stream) {
+  if (clearance) stream << clearance->contact.distance;
+  stream << ',' << (clearance ? partAndBody(run, *clearance) : ",") << ',';
+  if (motion) stream << nameOf(motion->outcome);
   stream << ',';
-  if (pose.motion) stream << pose.motion->depth_bound;
+  if (motion) stream << motion->fraction;
+  stream << ',' << (motion && motion->hasFinding() ? partAndBody(run, motion->at) : ",") << ',';
+  if (run.convex_side && worst) stream << run.faceOf(*worst);
+  stream << ',' << (worst ? channelOf(run.sideOf(*worst), worst->blade, run.job.blades.count) : "") << ',';
+  if (motion) stream << motion->depth_bound;
+  stream << '\n';
 }
 
 /// The loops of the parts that run as belts; null for the others.
 std::vector<std::unique_ptr<const BeltLoop>> loopsOf(const GrindingRun& run) {
   std::vector<std::unique_ptr<const BeltLoop>> loops;
-  for (const ToolPart& part : run.parts) {
+  for (const ToolPart& part : run.job.parts) {
     loops.push_back(part.belt_speed ? std::make_unique<const BeltLoop>(part.tree->mesh()) : nullptr);
   }
   return loops;
@@ -141,14 +125,8 @@ void writePoseVerdicts(const GrindingRun& run, const std::filesystem::path& file
          "channel,"
          "motion_depth_at_most_mm\n";
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
-    const PoseReport& pose = run.poses[p];
-    stream << p << ',' << nameOf(pose.verdict) << ',';
-    writeTouch(run, pose, stream);
-    writeClearance(run, pose, stream);
-    writeMotion(run, pose, stream);
-    writeFace(run, pose, stream);
-    writeDepthOfMotion(pose, stream);
-    stream << '\n';
+    stream << p << ',';
+    writePose(run, run.poses[p], stream);
   }
   writeFile(file, stream.str());
 }
@@ -160,18 +138,19 @@ void writeContacts(const GrindingRun& run, const std::filesystem::path& file) {
             "blisk_x_mm,blisk_y_mm,blisk_z_mm,part_x_mm,part_y_mm,part_z_mm,"
             "normal_x,normal_y,normal_z,depth_mm,velocity_x_m_s,velocity_y_m_s,velocity_z_m_s\n";
   const auto loops = loopsOf(run);
-  const BodyNames names = run.names();
   for (std::size_t p = 0; p < run.poses.size(); ++p) {
     const PoseReport& pose = run.poses[p];
-    for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-      const auto& [part, contact] = pose.contacts[c];
-      stream << p << ',' << nameOf(pose.verdicts[c]) << ',' << run.parts[part].name << ','
-             << names.cellOf(pose.blades[c]) << ',' << contact.triangle_a << ',' << contact.triangle_b;
+    for (const Touch& touch : pose.touches) {
+      if (touch.is_inside) continue;
+      const Contact& contact = touch.contact;
+      stream << p << ',' << nameOf(touch.verdict) << ',' << partAndBody(run, touch) << ','
+             << contact.triangle_a << ',' << contact.triangle_b;
       for (const Vec3& v : {contact.point_on_a, contact.point_on_b, contact.normal}) {
         stream << ',' << v.x() << ',' << v.y() << ',' << v.z();
       }
-      stream << ',' << depthOf(contact);
-      writeVelocity(loops[part].get(), run.parts[part], pose.tool_in_blisk, contact.point_on_b, stream);
+      stream << ',' << 0.0 - contact.distance;  // 0, not -0, for a mere touch
+      writeVelocity(loops[touch.part].get(), run.job.parts[touch.part], pose.tool_in_blisk,
+                    contact.point_on_b, stream);
       stream << '\n';
     }
   }
@@ -198,7 +177,7 @@ namespace {
 
 /// Null if no forces were asked for.
 nlohmann::ordered_json forcesOf(const GrindingRun& run) {
-  if (!run.spindle) return {};
+  if (!run.job.spindle) return {};
   std::size_t touching = 0, turning = 0, interfering = 0;
   double sum = 0.0, most = 0.0, torque = 0.0;
   for (std::size_t p = 0; p < run.loads.size(); ++p) {
@@ -212,10 +191,10 @@ nlohmann::ordered_json forcesOf(const GrindingRun& run) {
     constexpr double kAtRest = 1e-3;  // rad/s²
     turning += std::abs(load->acceleration) > kAtRest;
   }
-  return {{"stiffness_n_mm", run.spindle->stiffness},
-          {"friction", run.spindle->friction},
-          {"hold_n_m", run.spindle->hold},
-          {"density_kg_mm3", run.spindle->density},
+  return {{"stiffness_n_mm", run.job.spindle->stiffness},
+          {"friction", run.job.spindle->friction},
+          {"hold_n_m", run.job.spindle->hold},
+          {"density_kg_mm3", run.job.spindle->density},
           {"poses_that_touch", touching},
           {"poses_of_them_that_interfere", interfering},
           {"mean_normal_force_n", touching > 0 ? sum / static_cast<double>(touching) : 0.0},
@@ -249,23 +228,23 @@ nlohmann::ordered_json coverageJson(const std::optional<Coverage>& coverage) {
 
 void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverage,
                   const std::filesystem::path& file) {
-  const BuildStats& tree = run.blisk->stats();
+  const BuildStats& tree = run.job.blisk->stats();
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
-  for (std::size_t part = 0; part < run.parts.size(); ++part) {
-    parts.push_back({{"name", run.parts[part].name},
-                     {"triangles", run.parts[part].tree->stats().triangles},
-                     {"max_depth_mm", run.rules.maxDepth(part)},
+  for (std::size_t part = 0; part < run.job.parts.size(); ++part) {
+    parts.push_back({{"name", run.job.parts[part].name},
+                     {"triangles", run.job.parts[part].tree->stats().triangles},
+                     {"max_depth_mm", run.job.rules.maxDepth(part)},
                      {"depth_mm_is", nameOf(run.depth_kinds[part])}});
-    if (run.parts[part].belt_speed) parts.back()["belt_speed_m_s"] = *run.parts[part].belt_speed;
+    if (run.job.parts[part].belt_speed) parts.back()["belt_speed_m_s"] = *run.job.parts[part].belt_speed;
   }
   nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
   for (const auto& [first, last] : interferingRanges(run))
     ranges.push_back({{"first", first}, {"last", last}});
-  const int blade = run.rules.ground_blade;
+  const int blade = run.job.rules.ground_blade;
   nlohmann::ordered_json ground_blade;  // null
   if (blade != 0) ground_blade = blade;
   nlohmann::ordered_json motions;  // null if they were not checked
-  if (run.continuous) {
+  if (run.job.continuous) {
     motions = {{"total", run.motionCount()},
                {"free", run.count(MotionReport::Outcome::free)},
                {"not_checked", run.count(MotionReport::Outcome::not_checked)},
@@ -277,19 +256,19 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
                {"depth_on_motions_at_most_mm", run.depthBound()}};
   }
   auto obstacles = nlohmann::ordered_json::array();
-  for (const Fixture& fixture : run.fixtures) obstacles.push_back(fixture.name);
+  for (const Fixture& fixture : run.job.fixtures) obstacles.push_back(fixture.name);
   const nlohmann::ordered_json summary = {
       {"partial", run.isPartial()},
-      {"poses_of_path", run.path_poses},
-      {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.blade_count}}},
+      {"poses_of_path", run.job.path.size()},
+      {"blisk", {{"file", run.blisk_name}, {"triangles", tree.triangles}, {"blades", run.job.blades.count}}},
       {"tool", run.tool_name},
       {"obstacles", obstacles},
       {"path", run.path_name},
       {"parts", parts},
       {"limits",
        {{"ground_blade", ground_blade},
-        {"max_depth_mm", run.rules.max_depth},
-        {"near_miss_mm", run.rules.near_miss}}},
+        {"max_depth_mm", run.job.rules.max_depth},
+        {"near_miss_mm", run.job.rules.near_miss}}},
       {"poses",
        {{"total", run.poses.size()},
         {"clear", run.count(Verdict::clear)},
@@ -302,17 +281,17 @@ void writeSummary(const GrindingRun& run, const std::optional<Coverage>& coverag
       {"forces", forcesOf(run)},
       {"coverage", coverageJson(coverage)},
       {"tree",
-       {{"partition", partitionText(run.blisk->options())},
+       {{"partition", partitionText(run.job.blisk->options())},
         {"build_s", run.tree_seconds},
         {"nodes_of_up_to_8_boxes", tree.nodes},
         {"leaf_boxes", tree.leaves},
         {"boxes_round_deepest_leaf", tree.depth},
         {"leaf_boxes_mm3", tree.leaf_volume}}},
       {"mean_us_a_pose",
-       {{"contacts", run.contact_seconds_per_pose * 1e6},
-        {"depths", run.depth_seconds_per_pose * 1e6},
-        {"clearances", run.clearance_seconds_per_pose * 1e6},
-        {"motions", run.motion_seconds_per_pose * 1e6}}}};
+       {{"contacts", run.per_pose.contacts * 1e6},
+        {"depths", run.per_pose.depths * 1e6},
+        {"clearances", run.per_pose.clearances * 1e6},
+        {"motions", run.per_pose.motions * 1e6}}}};
   std::ostringstream stream;
   stream << summary.dump(2) << '\n';
   writeFile(file, stream.str());

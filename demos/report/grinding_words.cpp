@@ -43,7 +43,7 @@ void writeMotionCounts(const GrindingRun& run, std::ostream& text) {
   const auto first = std::ranges::find_if(
       run.poses, [](const PoseReport& pose) { return pose.motion && pose.motion->hasFinding(); });
   text << "First: after " << first->motion->fraction << " of the motion to pose " << first - run.poses.begin()
-       << ", " << run.parts[first->motion->at.part].name << " on "
+       << ", " << run.job.parts[first->motion->at.part].name << " on "
        << run.names().nameOf(first->motion->at.blade) << '\n';
 }
 
@@ -51,17 +51,17 @@ void writeMotionCounts(const GrindingRun& run, std::ostream& text) {
 
 std::string summaryText(const GrindingRun& run) {
   std::ostringstream text;
-  const int blade = run.rules.ground_blade;
-  const std::string blades = std::to_string(run.blade_count);
+  const int blade = run.job.rules.ground_blade;
+  const std::string blades = std::to_string(run.job.blades.count);
   if (run.isPartial())
-    text << "Stopped: " << run.poses.size() << " of " << run.path_poses << " poses were checked\n";
+    text << "Stopped: " << run.poses.size() << " of " << run.job.path.size() << " poses were checked\n";
   text << run.poses.size() << (run.poses.size() == 1 ? " pose, " : " poses, ");
   if (blade == 0) {
     text << "no blade ground (the blisk has " << blades << ")";
   } else {
     text << "ground blade " << blade << " of " << blades;
-    if (run.rules.grinding_part != kNoPart) {
-      text << " (intended up to " << run.rules.maxDepth(run.rules.grinding_part) << " mm deep)";
+    if (run.job.rules.grinding_part != kNoPart) {
+      text << " (intended up to " << run.job.rules.maxDepth(run.job.rules.grinding_part) << " mm deep)";
     }
   }
   text << ": " << run.count(Verdict::clear) << " clear, " << run.count(Verdict::intended_contact)
@@ -71,9 +71,9 @@ std::string summaryText(const GrindingRun& run) {
     text << ", " << unknown << " unknown (the depth is unknown: the blisk's mesh has a hole near the tool)";
   }
   text << '\n';
-  if (run.blisk->options().partition == PartitionKind::paper) {
-    text << "Partition: " << partitionText(run.blisk->options()) << "; tree built in " << run.tree_seconds
-         << " s, contacts in " << run.contact_seconds_per_pose * 1e6 << " us per pose\n";
+  if (run.job.blisk->options().partition == PartitionKind::paper) {
+    text << "Partition: " << partitionText(run.job.blisk->options()) << "; tree built in " << run.tree_seconds
+         << " s, contacts in " << run.per_pose.contacts * 1e6 << " us per pose\n";
   }
   const PoseReport& shown = run.poses[poseToShow(run)];
   if (shown.verdict >= Verdict::unknown) {
@@ -81,7 +81,7 @@ std::string summaryText(const GrindingRun& run) {
          << listOf(interferingRanges(run)) << ", counted from 0\n";
     text << "Worst: pose " << poseToShow(run) << ", " << describeWorst(run, shown) << '\n';
   }
-  if (run.continuous && run.motionCount() > 0) {
+  if (run.job.continuous && run.motionCount() > 0) {
     writeMotionCounts(run, text);
     if (run.depthBound() > 0.0) text << "Depth between the poses: " << depthOnMotions(run) << '\n';
   }

@@ -178,15 +178,14 @@ TEST(Coverage, ofARunIsOfTheSideThatTheBeltTouches) {
     job.path =
         makeGrindingPath(side().mesh, side().blades,
                          {.passes = 2, .poses_per_pass = 10, .forward_side = forward, .retract_poses = 1});
-    const GrindingRun run = runGrinding(job);
-    const auto coverage = coverageOf(run);
+    const auto coverage = coverageOf(job, job.path, std::nullopt);
     ASSERT_TRUE(coverage);
     EXPECT_EQ(coverage->side, forward ? "forward" : "backward");
     EXPECT_GT(coverage->groundShare(), 0.01);
     EXPECT_LT(coverage->groundShare(), 0.5);
   }
   for (Pose& pose : job.path) pose.translation += Vec3(0, 0, 500);
-  EXPECT_FALSE(coverageOf(runGrinding(job)));
+  EXPECT_FALSE(coverageOf(job, job.path, std::nullopt));
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ TEST(Fixture, isJudgedLikeTheRest_vs_collideOfEachPart) {
         const bool meet = collide(fixture, tree, job.path[p]).has_value();
         touches |= meet;
         bool is_reported = false;
-        for (std::size_t c = 0; c < pose.contacts.size(); ++c) {
-          is_reported |= pose.contacts[c].part == part && pose.blades[c] == first + static_cast<int>(f);
+        for (const Touch& touch : pose.touches) {
+          is_reported |= touch.part == part && touch.blade == first + static_cast<int>(f);
         }
         EXPECT_EQ(is_reported, apart <= 0.5) << p << " part " << part << " fixture " << f;
       }
@@ -78,7 +78,7 @@ TEST(Fixture, isJudgedLikeTheRest_vs_collideOfEachPart) {
       ++neither;
     }
     ASSERT_TRUE(pose.clearance);
-    EXPECT_EQ(pose.clearance->clearance.distance, std::min(least, other.clearance->clearance.distance)) << p;
+    EXPECT_EQ(pose.clearance->contact.distance, std::min(least, other.clearance->contact.distance)) << p;
     ASSERT_EQ(pose.depths.size(), other.depths.size());
     for (std::size_t d = 0; d < pose.depths.size(); ++d) {
       EXPECT_EQ(pose.depths[d].depth, other.depths[d].depth) << "depths are measured only in the blisk";

@@ -83,7 +83,7 @@ TEST(GrindingRun, depths_vs_fcl) {
   constexpr int kSteps = 3;
   int within = 0, beyond = 0, seen = 0;
   for (const PoseReport& pose : run.poses) {
-    const bool by_depth_alone = pose.clearance->clearance.distance > 0.0 && !pose.depths.empty();
+    const bool by_depth_alone = pose.clearance->contact.distance > 0.0 && !pose.depths.empty();
     const bool too_deep = pose.verdict == Verdict::interference;
     int& asked = too_deep ? beyond : within;
     if (!by_depth_alone || asked == 8) continue;
@@ -151,13 +151,13 @@ TEST(GrindingRun, verdicts_vs_fcl) {
       touches_forbidden |= touches;
       least = std::min(least, touches ? 0.0 : distanceOf(obstacle, *parts[part], place));
     }
-    ASSERT_EQ(pose.clearance->clearance.distance == 0.0, touches_forbidden);
+    ASSERT_EQ(pose.clearance->contact.distance == 0.0, touches_forbidden);
     if (touches_forbidden) {
       EXPECT_EQ(pose.verdict, Verdict::interference);
       ++forbidden;
       continue;
     }
-    EXPECT_NEAR(pose.clearance->clearance.distance, least, 1e-6);
+    EXPECT_NEAR(pose.clearance->contact.distance, least, 1e-6);
     if (touch(*ground, *parts[0], place)) {
       ++intended;
       const bool too_deep = !pose.depths.empty() && pose.depths.front().depth > 0.1;

@@ -17,24 +17,19 @@ using ::testing::HasSubstr;
 /// An arm beside a block, which is blade 2 as a whole; the arm touches it, or is 40 mm away.
 GrindingRun runWith(bool touches) {
   GrindingRun run;
-  run.blisk = treeOf(block({50, 50, 20}, 16));
-  run.parts = {{"arm", treeOf(block({5, 5, 5}, 2))}};
-  run.blade_of_triangle.assign(run.blisk->mesh().triangleCount(), 2);
-  run.rules.ground_blade = 2;
-  run.rules.grinding_part = 0;
+  run.job.blisk = treeOf(block({50, 50, 20}, 16));
+  run.job.parts = {{"arm", treeOf(block({5, 5, 5}, 2))}};
+  run.job.blades.blade_of_triangle.assign(run.job.blisk->mesh().triangleCount(), 2);
+  run.job.rules.ground_blade = 2;
+  run.job.rules.grinding_part = 0;
   PoseReport pose;
   pose.tool_in_blisk.translation = Vec3(touches ? 54.95 : 95.0, 0, 0);
   if (touches) {
-    PartContact contact;
-    contact.contact.point_on_a = Vec3(50, 0, 0);
-    contact.contact.distance = -0.05;
-    pose.contacts = {contact};
-    pose.blades = {2};
-    pose.depths = {{.part = 0, .depth = 0.05}};
-    pose.depth_blades = {2};
+    pose.touches = {{.blade = 2, .contact = {.point_on_a = Vec3(50, 0, 0), .distance = -0.05}}};
+    pose.depths = {{.part = 0, .depth = 0.05, .blade = 2}};
   }
+  setVerdicts(pose, run.job.rules);
   run.poses = {pose};
-  setVerdicts(run.poses, run.rules);
   return run;
 }
 
@@ -55,7 +50,7 @@ TEST(GrindingPictures, theGroundBladeIsMarked) {
   EXPECT_TRUE(hasEntry(marked, "ground blade 2"));
   const Color& of_blade = marked.scene.solids().front().colors.front();
   EXPECT_NE(of_blade.r, palette::kSteel.r);
-  run.rules.ground_blade = 0;
+  run.job.rules.ground_blade = 0;
   const Picture none = overviewOf(run);
   EXPECT_FALSE(hasEntry(none, "ground blade"));
   EXPECT_EQ(none.scene.solids().front().colors.front().r, palette::kSteel.r);

@@ -55,9 +55,9 @@ TEST(GrindingRun, aMotionThroughAThinWallHitsItWhereItStands) {
   EXPECT_LE(hit.fraction, touches_at);
   EXPECT_GE(hit.fraction, touches_at - 1.2 * kMotionTolerance / (kTo - kFrom));
   EXPECT_EQ(hit.at.blade, 0);
-  EXPECT_NEAR(hit.at.clearance.point_on_a.x(), -kWall, 1e-9);
+  EXPECT_NEAR(hit.at.contact.point_on_a.x(), -kWall, 1e-9);
   EXPECT_TRUE(run.interferes());
-  EXPECT_NEAR(run.poses[1].clearance->clearance.distance, -kWall - kPart - kFrom, 1e-9);
+  EXPECT_NEAR(run.poses[1].clearance->contact.distance, -kWall - kPart - kFrom, 1e-9);
 }
 
 TEST(GrindingRun, aTurnHitsWhereTheBarMeetsThePostsCorner) {
@@ -197,16 +197,16 @@ TEST(GrindingRun, answersDoNotDependOnTheNumberOfThreads) {
     job.threads = threads;
     runs.push_back(runGrinding(job));
   }
-  EXPECT_NE(runs[0].rules.ground_blade, 0);
-  EXPECT_EQ(runs[0].rules.ground_blade, runs[1].rules.ground_blade);
+  EXPECT_NE(runs[0].job.rules.ground_blade, 0);
+  EXPECT_EQ(runs[0].job.rules.ground_blade, runs[1].job.rules.ground_blade);
   ASSERT_EQ(runs[0].poses.size(), runs[1].poses.size());
   std::size_t hit = 0;
   for (std::size_t i = 0; i < runs[0].poses.size(); ++i) {
     const PoseReport &one = runs[0].poses[i], &other = runs[1].poses[i];
     ASSERT_EQ(one.verdict, other.verdict);
-    ASSERT_EQ(one.contacts.size(), other.contacts.size());
+    ASSERT_EQ(one.touches.size(), other.touches.size());
     ASSERT_EQ(one.part_clearances, other.part_clearances);
-    ASSERT_EQ(one.clearance->clearance.point_on_a, other.clearance->clearance.point_on_a);
+    ASSERT_EQ(one.clearance->contact.point_on_a, other.clearance->contact.point_on_a);
     if (i == 0) continue;
     ASSERT_EQ(one.motion->outcome, other.motion->outcome);
     ASSERT_EQ(one.motion->fraction, other.motion->fraction);
@@ -253,8 +253,8 @@ TEST(GrindingRun, whatHitsBetweenPosesIsFoundByManySmallSteps) {
       }
       return false;
     };
-    const bool ends_touch = run.poses[i - 1].clearance->clearance.distance == 0.0 ||
-                            run.poses[i].clearance->clearance.distance == 0.0;
+    const bool ends_touch = run.poses[i - 1].clearance->contact.distance == 0.0 ||
+                            run.poses[i].clearance->contact.distance == 0.0;
     const MotionReport& motion = *run.poses[i].motion;
     if (ends_touch) continue;
     (motion.outcome == MotionOutcome::free ? free : hit) += 1;
@@ -274,7 +274,7 @@ TEST(GrindingRun, stoppedItKeepsThePosesDone) {
   watch.stop = [&] { return done > 0; };
   const GrindingRun run = runGrinding(job, watch);
   EXPECT_TRUE(run.isPartial());
-  EXPECT_EQ(run.path_poses, 150u);
+  EXPECT_EQ(run.job.path.size(), 150u);
   EXPECT_EQ(run.poses.size(), done);
   EXPECT_LT(done, 150u);
   const GrindingRun whole = runGrinding(job);

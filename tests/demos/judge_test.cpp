@@ -9,7 +9,6 @@
 #include "demos/block.h"
 #include "grinding/grinding_cell.h"
 #include "grinding/grinding_run.h"
-#include "grinding/reduce_contacts.h"
 #include "grinding/verdict.h"
 #include "models/blade_finder.h"
 #include "models/embedded_assets.h"
@@ -30,22 +29,17 @@ std::vector<ToolPart> defaultGrinder() {
 std::vector<PoseReport> judgedByGrind(const std::shared_ptr<const ClusteredOctree>& blisk,
                                       const std::vector<ToolPart>& parts, const BladesFound& blades,
                                       const std::vector<Pose>& poses, const VerdictRules& rules) {
-  GrindingCell cell(blisk, parts, 0.5);
+  GrindingCell cell(blisk, parts, std::vector<double>(parts.size(), 0.5));
   const auto depths = PartDepths(blisk, parts, rules.max_depth).measure(poses);
   std::vector<PoseReport> reports;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     PoseReport report;
-    report.contacts = reduceContacts(cell.contactsAt(poses[i]), blades.blade_of_triangle);
-    for (const PartContact& found : report.contacts) {
-      report.blades.push_back(blades.blade_of_triangle[found.contact.triangle_a]);
-    }
+    report.touches = reduceContacts(cell.touchesAt(poses[i]), blades.blade_of_triangle);
     report.depths = depths[i];
-    for (const PartDepth& depth : report.depths) {
-      report.depth_blades.push_back(blades.blade_of_triangle[depth.triangle_of_blisk]);
-    }
+    for (PartDepth& depth : report.depths) depth.blade = blades.blade_of_triangle[depth.triangle_of_blisk];
+    setVerdicts(report, rules);
     reports.push_back(std::move(report));
   }
-  setVerdicts(reports, rules);
   return reports;
 }
 
@@ -72,8 +66,8 @@ TEST(Judge, callsFreeWhatGrindDoesNotCallInterference) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(!states[i].obstacle, reports[i].verdict != Verdict::interference) << "pose " << i;
     if (states[i].obstacle) {
-      const auto named = [&](const PartContact& contact) { return contact.part == states[i].obstacle->part; };
-      EXPECT_TRUE(std::ranges::any_of(reports[i].contacts, named)) << "pose " << i;
+      const auto named = [&](const Touch& touch) { return touch.part == states[i].obstacle->part; };
+      EXPECT_TRUE(std::ranges::any_of(reports[i].touches, named)) << "pose " << i;
       continue;
     }
     ++free;
@@ -170,7 +164,7 @@ TEST(Judge, aTouchOfADoubledSurfaceIsJudgedAsOfASingleOne) {
       closed, blades, {.passes = 2, .poses_per_pass = 8, .span_to = 0.7, .retract_poses = 1});
   const GrindingRun whole = runGrinding(jobOn(closed, path));
   const GrindingRun doubled = runGrinding(jobOn(bladesDoubled(closed, blades), path));
-  Judge judge(doubled.blisk, defaultGrinder(), doubled.blade_of_triangle, {.near_miss = 0.0});
+  Judge judge(doubled.job.blisk, defaultGrinder(), doubled.job.blades.blade_of_triangle, {.near_miss = 0.0});
   const std::vector<PoseState> states = judge.statesOf(path);
   std::size_t touching = 0;
   for (std::size_t p = 0; p < path.size(); ++p) {
