@@ -7,7 +7,7 @@ set(check_files octoblisk_check
   commands/check commands/check_summary
   io/csv_table io/mesh_file io/mesh_file_check io/new_file io/progress_bar
   models/defect_words models/welded_surface
-  study/handout study/launch study/node_inputs study/part_text study/ranks_alone study/run_study study/shard
+  study/launch study/merge_parts study/node_inputs study/part_text study/ranks_alone study/run_study
   study/stop_signal study/study study/study_journal
   toolpath/pose_check toolpath/pose_file)
 list(TRANSFORM check_files REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/demos/\\1.cpp")

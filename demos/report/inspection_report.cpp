@@ -40,7 +40,7 @@ constexpr Kind kHarmless[] = {
 
 double roundedNearZero(double value, double size) { return std::abs(value) > 1e-9 * size ? value : 0.0; }
 
-std::string textOf(const Vec3& v) {
+std::string pointText(const Vec3& v) {
   std::ostringstream text;
   const char* before = "(";
   for (const double value : v) {
@@ -69,7 +69,7 @@ class Lines {
     const std::vector<DefectPlace>& places = found.*kind.places;
     if (places.empty()) return;
     add(kind.name, places.size(),
-        "triangle " + std::to_string(places.front().triangle) + " at " + textOf(places.front().position));
+        "triangle " + std::to_string(places.front().triangle) + " at " + pointText(places.front().position));
   }
 
   std::string under(const std::string& heading) const { return text_.empty() ? "" : heading + '\n' + text_; }
@@ -102,7 +102,7 @@ std::string badText(const InspectionReport& report) {
   for (const MeshGap& gap : found.gaps) {
     if (gap.kind != GapKind::hole || ++holes > kMost) continue;
     lines.add("open edges around a hole", gap.edges,
-              "beside triangle " + std::to_string(gap.triangle) + " at " + textOf(gap.center) +
+              "beside triangle " + std::to_string(gap.triangle) + " at " + pointText(gap.center) +
                   (gap.is_planar ? ", planar, area " + shortText(gap.area) + unitAfter(report, "²")
                                  : ", not planar: corners are up to " + shortText(gap.off_plane) +
                                        unitAfter(report) + " off its plane"));
@@ -118,11 +118,11 @@ std::string harmlessText(const InspectionReport& report) {
   if (const MeshGap* const first = firstOf(GapKind::crack, found)) {
     lines.add("cracks", found.count(GapKind::crack),
               "up to " + shortText(widestCrack(found)) + unitAfter(report) + " wide; triangle " +
-                  std::to_string(first->triangle) + " at " + textOf(first->center));
+                  std::to_string(first->triangle) + " at " + pointText(first->center));
   }
   if (const MeshGap* const first = firstOf(GapKind::inner, found)) {
     lines.add("gaps inside the solid", found.count(GapKind::inner),
-              "triangle " + std::to_string(first->triangle) + " at " + textOf(first->center));
+              "triangle " + std::to_string(first->triangle) + " at " + pointText(first->center));
   }
   for (const Kind& kind : kHarmless) lines.add(kind, found);
   return lines.under("Of no consequence:");
@@ -185,11 +185,11 @@ std::string closedText(const ClosedReport& closed) {
     text += (cap.outlines == 1 ? "Closed: the hole with " + edgesText(cap.edges)
                                : "Closed: the hole between " + std::to_string(cap.outlines) +
                                      " outlines with " + edgesText(cap.edges)) +
-            " at " + textOf(cap.center) + ", by " + countedText(cap.triangles, "triangle", "triangles") +
+            " at " + pointText(cap.center) + ", by " + countedText(cap.triangles, "triangle", "triangles") +
             '\n';
   }
   for (const MeshGap& gap : closed.refused | std::views::take(kMost)) {
-    text += "Refused: the hole with " + edgesText(gap.edges) + " at " + textOf(gap.center) +
+    text += "Refused: the hole with " + edgesText(gap.edges) + " at " + pointText(gap.center) +
             (gap.is_planar ? std::string(": its outline crosses itself")
                            : ": it is not planar, its corners are up to " + shortText(gap.off_plane) +
                                  " off its plane") +

@@ -1,15 +1,11 @@
 #include "study/merge_parts.h"
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
-#include "base/file.h"
 #include "io/input_file.h"
-#include "io/new_file.h"
-#include "study/part_text.h"
 
 namespace octoblisk::demos {
 
@@ -17,19 +13,8 @@ using namespace detail;
 
 namespace {
 
-/// A part file, mapped to memory.
-struct PartFile {
-  std::string name;
-  std::unique_ptr<const MappedFile> mapped;
-  PartText part;
-
-  std::string_view text() const {
-    return {reinterpret_cast<const char*>(mapped->bytes().data()), mapped->bytes().size()};
-  }
-};
-
 [[noreturn]] void refuse(const PartFile& file, const std::string& message) {
-  throw std::runtime_error(file.name + ": " + message);
+  throw std::runtime_error(file.name.string() + ": " + message);
 }
 
 std::string itemsText(ItemRange items) {
@@ -37,9 +22,8 @@ std::string itemsText(ItemRange items) {
 }
 
 PartFile openPart(const std::filesystem::path& path, const CheckPart& check) {
-  PartFile file{path.string(), nullptr, {}};
   openForReading(path);  // gives a better error message
-  file.mapped = std::make_unique<const MappedFile>(path);
+  PartFile file(path);
   try {
     file.part = readPart(file.text());
     if (check) check(file.part, file.text());
@@ -61,7 +45,8 @@ void requireSameStudy(const std::vector<PartFile>& files) {
   for (const PartFile& file : files) {
     const std::string difference = differenceOf(files.front().part.study, file.part.study);
     if (!difference.empty()) {
-      refuse(file, "belongs to another study than " + files.front().name + ": it has other " + difference);
+      refuse(file,
+             "belongs to another study than " + files.front().name.string() + ": it has other " + difference);
     }
   }
 }
@@ -73,13 +58,13 @@ void requireWhole(const std::vector<PartFile>& files) {
   for (const PartFile& file : files) {
     const ItemRange items = file.part.items;
     if (items.empty()) continue;
-    const std::string behind = before ? " after those of " + before->name : std::string();
+    const std::string behind = before ? " after those of " + before->name.string() : std::string();
     if (items.begin > end) {
       refuse(file, "begins at item " + std::to_string(items.begin) + ": " + itemsText({end, items.begin}) +
                        behind + " are missing");
     }
     if (items.begin < end) {
-      refuse(file, "repeats items of " + before->name + ", from " + std::to_string(items.begin));
+      refuse(file, "repeats items of " + before->name.string() + ", from " + std::to_string(items.begin));
     }
     end = items.end;
     before = &file;
@@ -92,6 +77,38 @@ void requireWhole(const std::vector<PartFile>& files) {
 }
 
 }  // namespace
+
+PartFile::PartFile(std::filesystem::path file)
+    : name(std::move(file)), mapped(std::make_shared<const MappedFile>(name)) {}
+
+std::string_view PartFile::text() const {
+  if (!mapped) return memory;
+  return {reinterpret_cast<const char*>(mapped->bytes().data()), mapped->bytes().size()};
+}
+
+std::vector<std::string> writeInOrder(std::span<const PartFile> files, const std::string& head,
+                                      NewFile& whole) {
+  std::vector<std::pair<const GroupInText*, std::string_view>> groups;  // with their rows
+  for (const PartFile& file : files) {
+    for (const GroupInText& group : file.part.groups) {
+      groups.emplace_back(&group, file.text().substr(group.begin, group.bytes));
+    }
+  }
+  std::ranges::stable_sort(groups, {}, [](const auto& group) { return group.first->items.begin; });
+  std::vector<std::string> tallies;
+  std::size_t end = 0;
+  for (const auto& [group, rows] : groups) {
+    if (group->items.begin < end) continue;
+    end = group->items.end;
+    if (!head.empty()) {
+      whole.write(textOf({group->items, std::string(rows), group->tally}, head));
+    } else {
+      whole.write(rows);
+    }
+    tallies.push_back(group->tally);
+  }
+  return tallies;
+}
 
 MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const std::string& out,
                        const CheckPart& check) {
@@ -106,13 +123,7 @@ MergedStudy mergeParts(const std::vector<std::filesystem::path>& parts, const st
   MergedStudy merged{files.front().part.study, {}};
   NewFile table(out);
   table.write(merged.study.columns + '\n');
-  for (PartFile& file : files) {
-    std::ranges::sort(file.part.groups, {}, [](const GroupInText& group) { return group.items.begin; });
-    for (GroupInText& group : file.part.groups) {
-      table.write(file.text().substr(group.begin, group.bytes));
-      merged.tallies.push_back(std::move(group.tally));
-    }
-  }
+  merged.tallies = writeInOrder(files, "", table);
   table.keep();
   return merged;
 }

@@ -3,14 +3,37 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/file.h"
+#include "io/new_file.h"
 #include "study/part_text.h"
 #include "study/study.h"
 
 namespace octoblisk::demos {
+
+/// A part in a file, or in memory.
+struct PartFile {
+  /// Maps the file. Throws std::runtime_error naming it.
+  explicit PartFile(std::filesystem::path file);
+  PartFile(std::filesystem::path file, std::string text) : name(std::move(file)), memory(std::move(text)) {}
+
+  std::string_view text() const;
+
+  std::filesystem::path name;
+  std::string memory;
+  std::shared_ptr<const detail::MappedFile> mapped;  ///< null: the text is in memory
+  PartText part;                                     ///< what readPart finds in the text; not read at first
+};
+
+/// Writes the groups of all parts, which were read, in the order of their items: their rows or, with the head
+/// of a part, also their own lines. A group is written once. Returns the tallies.
+std::vector<std::string> writeInOrder(std::span<const PartFile> files, const std::string& head,
+                                      NewFile& whole);
 
 struct MergedStudy {
   Study study;

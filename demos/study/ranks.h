@@ -8,9 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "study/handout.h"
 #include "study/shared_bytes.h"
-#include "study/study.h"
 
 namespace octoblisk::demos {
 
@@ -25,9 +23,9 @@ class Ranks {
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
-  bool isFirst() const;
+  int rank() const;  ///< from 0
+  bool isFirst() const { return rank() == 0; }
   int count() const;
-  int countOnNode() const;  ///< ranks that share this one's memory
 
   /// The threads that each rank should use: its share of the node's processors, at most as many as it is
   /// bound to.
@@ -42,13 +40,6 @@ class Ranks {
 
   /// Whether all ranks have the same number.
   bool haveAllTheSame(std::uint64_t number);
-
-  /// Has the ranks answer the whole handout, which only the first rank needs. The first rank takes the
-  /// answers as they arrive, in any order, and calls `stop` repeatedly; once that is true, it only waits for
-  /// the answers already begun. Throws what `take` throws on the first rank, and what `answer` throws.
-  using Take = std::function<void(std::span<const AnsweredGroup>)>;
-  void answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
-                 const std::function<bool()>& stop);
 
  private:
   struct Joined;

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "study/answer_alone.h"
 #include "study/launch.h"
 #include "study/ranks.h"
 
@@ -22,9 +21,8 @@ Ranks::Ranks() {
 
 Ranks::~Ranks() = default;
 
-bool Ranks::isFirst() const { return true; }
+int Ranks::rank() const { return 0; }
 int Ranks::count() const { return 1; }
-int Ranks::countOnNode() const { return 1; }
 int Ranks::threadsEach() const { return threadCount(0); }
 void Ranks::together(const std::function<void()>& step) { step(); }
 
@@ -33,10 +31,5 @@ SharedBytes Ranks::oncePerNode(const std::function<std::vector<std::byte>()>& ma
 }
 
 bool Ranks::haveAllTheSame(std::uint64_t) { return true; }
-
-void Ranks::answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
-                      const std::function<bool()>& stop) {
-  answerAlone(handout, answer, take, stop);
-}
 
 }  // namespace octoblisk::demos

@@ -9,8 +9,6 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "study/answer_alone.h"
-#include "study/answer_mpi.h"
 #include "study/launch.h"
 #include "study/ranks.h"
 
@@ -56,9 +54,8 @@ Ranks::Ranks() : joined_(std::make_shared<Joined>()) {
 
 Ranks::~Ranks() = default;
 
-bool Ranks::isFirst() const { return joined_->rank == 0; }
+int Ranks::rank() const { return joined_->rank; }
 int Ranks::count() const { return joined_->count; }
-int Ranks::countOnNode() const { return joined_->count_on_node; }
 
 int Ranks::threadsEach() const {
   const int share = threadCount(0) / joined_->count_on_node;
@@ -128,12 +125,6 @@ bool Ranks::haveAllTheSame(std::uint64_t number) {
   MPI_Allreduce(&number, &least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
   MPI_Allreduce(&number, &greatest, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
   return least == greatest;
-}
-
-void Ranks::answerAll(Handout& handout, const AnswerItems& answer, const Take& take,
-                      const std::function<bool()>& stop) {
-  if (joined_->count == 1) return answerAlone(handout, answer, take, stop);
-  answerTogether(handout, answer, take, stop);
 }
 
 }  // namespace octoblisk::demos

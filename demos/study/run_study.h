@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "study/ranks.h"
-#include "study/shard.h"
 #include "study/study.h"
 
 namespace octoblisk::demos {
@@ -23,13 +22,13 @@ struct StudyTarget {
 
 struct StudyOutcome {
   std::vector<std::string> tallies;  ///< of all groups in the file, in order; only on the first rank
-  std::size_t answered = 0;          ///< number of items answered by this run
+  std::size_t answered = 0;          ///< number of items answered by this run; only on the first rank
   std::chrono::duration<double, std::micro> time{};  ///< time to answer them
 };
 
 /// Answers the study and writes the target's file, which stays unchanged until all items are answered.
-/// Meanwhile, and after an interrupted run, the answers are in OUT.partial. All ranks call it; the first
-/// writes, and shows a progress bar at a terminal.
+/// Meanwhile, and after an interrupted run, the answers are in the journals (study_journal.h). All ranks call
+/// it, and each answers its share; the first shows a progress bar at a terminal and writes the file.
 ///
 /// Throws std::runtime_error naming the file if it is also an input, cannot be written, or cannot be
 /// continued; Stopped (stop_signal.h) on SIGINT and SIGTERM; and what `answer` throws.

@@ -52,4 +52,17 @@ using AnswerItems = std::function<std::vector<AnsweredGroup>(ItemRange)>;
 /// The first difference of two studies, e.g. "poses"; empty if they are equal.
 std::string differenceOf(const Study& first, const Study& second);
 
+/// One of `count` parts of a study for independent machines, for example the tasks of a job array. Counted
+/// from 1; by default the only one.
+struct Shard {
+  std::size_t index = 1, count = 1;
+};
+
+/// "3/7": the third of seven. Throws std::invalid_argument with a message that describes the format.
+Shard parseShard(const std::string& text);
+
+/// Its items are consecutive, so a part is one piece of the table. Parts differ by at most one group; if
+/// there are more parts than groups, some are empty.
+ItemRange itemsOf(const Study& study, Shard shard);
+
 }  // namespace octoblisk::demos

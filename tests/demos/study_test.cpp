@@ -18,7 +18,6 @@
 #include "demos/scratch_folder.h"
 #include "demos/squares_study.h"
 #include "io/number_text.h"
-#include "study/group_message.h"
 #include "study/merge_parts.h"
 #include "study/part_text.h"
 #include "study/stop_signal.h"
@@ -331,20 +330,6 @@ TEST_F(StudyFiles, aLinkStaysALink) {
   run({file("near.csv"), {}});
   EXPECT_TRUE(std::filesystem::is_symlink(file("near.csv")));
   EXPECT_EQ(content("far.csv"), squaresTable(kItems));
-}
-
-TEST(GroupMessages, comeAsTheyWent) {
-  const std::vector<AnsweredGroup> groups = squaresOf({3, 29});
-  const GroupMessage message = unpacked(packed({groups, std::chrono::duration<double>(0.25)}));
-  EXPECT_EQ(message.time.count(), 0.25);
-  ASSERT_EQ(message.groups.size(), groups.size());
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    EXPECT_EQ(message.groups[i].items, groups[i].items);
-    EXPECT_EQ(message.groups[i].rows, groups[i].rows);
-    EXPECT_EQ(message.groups[i].tally, groups[i].tally);
-  }
-  const std::string text = packed(message);
-  EXPECT_THROW(unpacked(std::string_view(text).substr(0, text.size() - 1)), std::invalid_argument);
 }
 
 TEST(ExactNumbers, areThoseOfStreamsAndReadBackAsTheyAre) {
