@@ -76,8 +76,7 @@ SiteAccess accessAt(std::span<const PoseState> states, const AccessOptions& opti
 bool AccessOptions::isFullTurn() const { return std::abs(tilts * tilt_step - 360.0) < 1e-9; }
 
 std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
-                                 const AccessOptions& options,
-                                 const std::function<void(std::size_t)>& progress) {
+                                 const AccessOptions& options) {
   const std::size_t poses_of_site = options.leads.size() * static_cast<std::size_t>(options.tilts);
   std::vector<SiteAccess> found;
   std::vector<Pose> poses;
@@ -96,7 +95,6 @@ std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> site
       found.push_back(
           accessAt(std::span(states).subspan((s - begin) * poses_of_site, poses_of_site), options));
     }
-    if (progress) progress(end);
   }
   return found;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,9 +51,7 @@ struct SiteAccess {
 };
 
 /// Tries every tilt at every lead of every site; the answer does not depend on the judge's threads.
-/// `progress` receives the number of finished sites.
 std::vector<SiteAccess> accessOf(Judge& judge, std::span<const ContactSite> sites,
-                                 const AccessOptions& options,
-                                 const std::function<void(std::size_t)>& progress = {});
+                                 const AccessOptions& options);
 
 }  // namespace octoblisk::demos

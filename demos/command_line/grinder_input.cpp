@@ -8,7 +8,7 @@
 #include "command_line/options.h"
 #include "command_line/print_message.h"
 #include "command_line/units_option.h"
-#include "grinding/ground_blade.h"
+#include "grinding/grinding_run.h"
 #include "io/csv_table.h"
 #include "io/mesh_file.h"
 #include "io/new_file.h"

@@ -41,7 +41,7 @@
 #include "paper/surface_points.h"
 #include "render/document.h"
 #include "render/plot.h"
-#include "report/replay_page.h"
+#include "report/replay_files.h"
 #include "toolpath/grinding_path.h"
 
 namespace octoblisk::demos {

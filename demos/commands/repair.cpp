@@ -25,7 +25,6 @@
 #include "models/length_limit.h"
 #include "render/annotation.h"
 #include "repair/path_repair.h"
-#include "repair/repair_replay.h"
 #include "repair/repair_report.h"
 #include "report/coverage_report.h"
 #include "report/replay_files.h"
@@ -49,9 +48,8 @@ void printChanges(const PathRepair& repair) {
     slide = std::max(slide, std::abs(pose.change.slide));
     retract = std::max(retract, pose.change.retract);
   }
-  std::cout << "Changed: " << repair.changed() << (repair.changed() == 1 ? " pose" : " poses")
-            << ", tilt up to " << tilt << " degrees, slide up to " << slide << " mm, retraction up to "
-            << retract << " mm\n";
+  std::cout << "Changed: " << countedText(repair.changed(), "pose", "poses") << ", tilt up to " << tilt
+            << " degrees, slide up to " << slide << " mm, retraction up to " << retract << " mm\n";
 }
 
 void printContact(const PathRepair& repair) {
@@ -79,19 +77,18 @@ struct RepairFiles {
 };
 
 void printRepair(const PathRepair& repair, const GrinderInput& input, int blade, const RepairFiles& files) {
-  std::cout << repair.poses.size() << (repair.poses.size() == 1 ? " pose, " : " poses, ");
+  std::cout << countedText(repair.poses.size(), "pose, ", "poses, ");
   if (blade == 0) {
     std::cout << "no blade ground";
   } else {
     std::cout << "ground blade " << blade << " of " << input.blades.count;
   }
-  std::cout << ": " << repair.interferedBefore() << " interfered; left: " << repair.posesLeft()
-            << (repair.posesLeft() == 1 ? " pose" : " poses");
+  std::cout << ": " << repair.interferedBefore()
+            << " interfered; left: " << countedText(repair.posesLeft(), "pose", "poses");
   if (repair.is_partial) {
     std::cout << "; stopped before all motions were checked\n";
   } else {
-    std::cout << ", " << repair.motionsLeft() << (repair.motionsLeft() == 1 ? " motion" : " motions")
-              << " between free poses\n";
+    std::cout << ", " << countedText(repair.motionsLeft(), "motion", "motions") << " between free poses\n";
   }
   if (repair.changed() > 0) printChanges(repair);
   printContact(repair);

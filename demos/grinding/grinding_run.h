@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "grinding/spindle_cell.h"
 #include "models/blade_finder.h"
 #include "models/blade_surface.h"
+#include "octoblisk/clustered_octree.h"
 
 namespace octoblisk::demos {
 
@@ -64,5 +66,11 @@ struct GrindingRun {
 /// Runs the job: poses with their touches (reduced by reduceContacts), verdicts, depths, clearances and
 /// motions. If stopped, the run has the poses finished until then. The caller sets the names.
 GrindingRun runGrinding(GrindingJob job, const RunWatch& watch = {});
+
+/// The blade that the belt touches at most poses of a path; the lowest of several, 0 if it touches none;
+/// nothing if the watch stopped the search. The answer does not depend on the number of threads.
+std::optional<int> bladeTouchedMost(const ClusteredOctree& blisk, const ClusteredOctree& belt,
+                                    std::span<const int> blade_of_triangle, std::span<const Pose> path,
+                                    int threads = 0, const RunWatch& watch = {});
 
 }  // namespace octoblisk::demos

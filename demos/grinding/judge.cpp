@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "grinding/lift.h"
+#include "grinding/depth_proof.h"
 #include "octoblisk/batch.h"
 #include "octoblisk/motion.h"
 #include "octoblisk/path_query.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "grinding/lift.h"
+#include "grinding/depth_proof.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/collide.h"
 #include "octoblisk/containment.h"

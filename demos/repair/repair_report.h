@@ -1,4 +1,4 @@
-// Reports on a repaired path: a table and a summary.
+// Reports on a repaired path: a table, a summary and a replay.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "grinding/grinding_run.h"
 #include "repair/path_repair.h"
+#include "report/replay.h"
 
 namespace octoblisk::demos {
 
@@ -21,5 +23,9 @@ std::vector<std::string> describeLeft(const PathRepair& repair, std::span<const 
 
 /// "poses 3-5, pose 9": the working poses that lost their contact.
 std::string describeLost(const PathRepair& repair);
+
+/// The two runs are those of octoblisk grind for the original and the repaired path; both have one pose per
+/// pose of the repair.
+Replay repairReplay(const PathRepair& repair, const GrindingRun& before, const GrindingRun& after);
 
 }  // namespace octoblisk::demos

@@ -6,7 +6,7 @@
 #include "grinding/motion_check.h"
 #include "io/number_text.h"
 #include "report/grinding_pictures.h"
-#include "report/grinding_words.h"
+#include "report/grinding_report.h"
 #include "report/versions.h"
 
 namespace octoblisk::demos {
@@ -69,22 +69,21 @@ void addFindings(const GrindingRun& run, std::size_t p, std::vector<ReplayFindin
 }
 
 std::string ofPoses(std::size_t count, std::size_t total) {
-  return std::to_string(count) + " of " + std::to_string(total) + (total == 1 ? " pose" : " poses");
+  return std::to_string(count) + " of " + countedText(total, "pose", "poses");
 }
 
 std::string titleOf(const GrindingRun& run) {
   const std::size_t bad = run.count(Verdict::interference), unknown = run.count(Verdict::unknown);
   const std::size_t motions =
       run.count(MotionReport::Outcome::hit) + run.count(MotionReport::Outcome::too_deep);
-  const std::string also = motions == 0
-                               ? std::string()
-                               : (bad == 0 ? std::string() : std::string(" and ")) + std::to_string(motions) +
-                                     (motions == 1 ? " motion" : " motions");
+  const std::string on_motions = countedText(motions, "motion", "motions");
+  const std::string also = motions == 0 ? "" : " and " + on_motions;
   if (bad > 0) return "Interference at " + ofPoses(bad, run.poses.size()) + also;
-  if (unknown > 0) return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + also;
-  if (motions > 0) return "Interference on " + also;
-  return "No interference at " + std::to_string(run.poses.size()) +
-         (run.poses.size() == 1 ? " pose" : " poses");
+  if (unknown > 0) {
+    return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + (motions == 0 ? "" : on_motions);
+  }
+  if (motions > 0) return "Interference on " + on_motions;
+  return "No interference at " + countedText(run.poses.size(), "pose", "poses");
 }
 
 std::string subtitleOf(const GrindingRun& run) {

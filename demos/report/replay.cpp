@@ -12,4 +12,15 @@ std::string colorOfPart(const std::string& name, std::size_t index) {
   return kOthers[index % kOthers.size()];
 }
 
+ReplayMeshes replayMeshesOf(const Replay& replay, const DrawnTriangles& most) {
+  ReplayMeshes meshes;
+  const Surroundings all = surroundingsOf(replay.blisk->sharedMesh(), replay.blade_of_triangle,
+                                          replay.blade_count, replay.fixtures);
+  meshes.blisk = displayMeshOf(*all.mesh, all.body_of_triangle, most.blisk);
+  for (const ToolPart& part : replay.parts) {
+    meshes.parts.push_back(displayMeshOf(part.tree->mesh(), {}, most.part));
+  }
+  return meshes;
+}
+
 }  // namespace octoblisk::demos

@@ -10,6 +10,7 @@
 
 #include "grinding/fixture.h"
 #include "grinding/grinding_cell.h"
+#include "render/display_mesh.h"
 #include "render/document.h"
 
 namespace octoblisk::demos {
@@ -128,5 +129,18 @@ struct Replay {
 
 /// The display colour of a tool's part, "#rrggbb".
 std::string colorOfPart(const std::string& name, std::size_t index);
+
+/// Meshes with more triangles are simplified (display_mesh.h).
+struct DrawnTriangles {
+  std::size_t blisk = 150'000;
+  std::size_t part = 40'000;  ///< per part
+};
+
+struct ReplayMeshes {
+  DisplayMesh blisk;  ///< one group per blade
+  std::vector<DisplayMesh> parts;
+};
+
+ReplayMeshes replayMeshesOf(const Replay& replay, const DrawnTriangles& most = {});
 
 }  // namespace octoblisk::demos

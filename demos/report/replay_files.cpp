@@ -1,8 +1,16 @@
 #include "report/replay_files.h"
 
-#include "report/replay_page.h"
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "io/embedded_file.h"
+#include "io/new_file.h"
 #include "report/run_glb.h"
 #include "report/vtk_file.h"
+
+// The page, made by report/web (./dev web), with a placeholder for the run.
+OCTOBLISK_EMBED(octoblisk_replay_page, OCTOBLISK_REPLAY_PAGE);
 
 namespace octoblisk::demos {
 
@@ -17,6 +25,23 @@ std::string replayFilesText(const std::filesystem::path& folder) {
   return "Report: " + (folder / "report.html").string() + "; glTF: " + (folder / "run.glb").string() +
          "; for ParaView: " + (folder / "contacts.vtk").string() + ", " + (folder / "path.vtk").string() +
          "\n";
+}
+
+namespace {
+
+constexpr std::string_view kPlaceOfRun = "@@RUN@@";
+
+}  // namespace
+
+void writeReplayPage(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
+                     const ReplayLimits& limits) {
+  const std::string_view page = OCTOBLISK_EMBEDDED(octoblisk_replay_page);
+  const std::size_t place = page.find(kPlaceOfRun);
+  if (place == std::string_view::npos) throw std::logic_error("the page has no placeholder for the run");
+  std::string text(page.substr(0, place));
+  text += replayJson(replay, meshes, limits);
+  text += page.substr(place + kPlaceOfRun.size());
+  writeFile(file, text);
 }
 
 }  // namespace octoblisk::demos

@@ -5,6 +5,7 @@
 
 #include "io/whole_files.h"
 #include "report/replay.h"
+#include "report/replay_json.h"
 
 namespace octoblisk::demos {
 
@@ -14,5 +15,9 @@ void writeReplayFiles(const Replay& replay, const std::filesystem::path& folder,
 
 /// "Report: OUT/report.html; …": one line for the user.
 std::string replayFilesText(const std::filesystem::path& folder);
+
+/// Writes the page. Throws std::runtime_error naming a file that cannot be written.
+void writeReplayPage(const Replay& replay, const ReplayMeshes& meshes, const std::filesystem::path& file,
+                     const ReplayLimits& limits = {});
 
 }  // namespace octoblisk::demos

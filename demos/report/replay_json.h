@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "report/replay_meshes.h"
+#include "report/replay.h"
 
 namespace octoblisk::demos {
 

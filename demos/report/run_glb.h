@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "report/replay_meshes.h"
+#include "report/replay.h"
 
 namespace octoblisk::demos {
 

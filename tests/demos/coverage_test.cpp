@@ -9,7 +9,6 @@
 #include <random>
 
 #include "demos/default_blisk.h"
-#include "grinding/support_planes.h"
 #include "models/blade_anatomy.h"
 #include "models/embedded_assets.h"
 #include "models/shared_tree.h"

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "demos/block.h"
-#include "grinding/lift.h"
 #include "grinding/motion_check.h"
 #include "models/shared_tree.h"
 #include "octoblisk/depth.h"

@@ -1,7 +1,7 @@
 // Frames of a film and their contact sheet.
-#include "report/grinding_frames.h"
-
 #include <gtest/gtest.h>
+
+#include "report/grinding_pictures.h"
 
 namespace octoblisk::demos {
 namespace {

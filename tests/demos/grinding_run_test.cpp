@@ -11,12 +11,11 @@
 #include <set>
 
 #include "demos/block.h"
-#include "grinding/ground_blade.h"
 #include "grinding/motion_check.h"
 #include "io/progress_bar.h"
 #include "models/shared_tree.h"
 #include "report/grinding_replay.h"
-#include "report/grinding_words.h"
+#include "report/grinding_report.h"
 #include "shared/brute_force.h"
 #include "shared/meshes.h"
 

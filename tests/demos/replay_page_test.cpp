@@ -1,6 +1,4 @@
 // Reads back the page of a replay and the run in it.
-#include "report/replay_page.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,6 +14,7 @@
 #include "demos/small_replay.h"
 #include "models/blisk.h"
 #include "models/shared_tree.h"
+#include "report/replay_files.h"
 
 namespace octoblisk::demos {
 namespace {
