@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -26,21 +26,15 @@
 #include "models/shared_tree.h"
 #include "paper/belt_poses.h"
 #include "paper/blisk_ranges.h"
-#include "paper/claims.h"
-#include "paper/cmm/cmm_section.h"
+#include "paper/cmm/cmm_numbers.h"
 #include "paper/detection_replay.h"
-#include "paper/detection_section.h"
-#include "paper/errata.h"
+#include "paper/detection_seeds.h"
 #include "paper/figures.h"
-#include "paper/nodes_section.h"
 #include "paper/paper_model.h"
+#include "paper/report.h"
 #include "paper/robot/robot_figures.h"
-#include "paper/robot/robot_section.h"
-#include "paper/split_plots.h"
-#include "paper/split_times_section.h"
+#include "paper/split_experiment.h"
 #include "paper/surface_points.h"
-#include "render/document.h"
-#include "render/plot.h"
 #include "report/replay_files.h"
 #include "toolpath/grinding_path.h"
 
@@ -76,7 +70,8 @@ constexpr double kReachOfPoses = 40.0;    // mm
 constexpr std::size_t kSeeds = 32;        // of clouds and clusters, for the spread in Tables 1 to 4
 constexpr int kRepeatsOfSeeds = 3;        // per timing
 
-constexpr const char* kReplayFile = "replay.html";  // of Table 3
+/// By the bits of PaperPart.
+constexpr const char* kNameOfPart[] = {"table1", "table2", "table3", "table4", "table5", "figures"};
 
 constexpr unsigned kOfSplits = kTable1 | kTable2 | kFigures;
 constexpr unsigned kOfBlisk = kTable3 | kTable4 | kTable5;
@@ -118,18 +113,7 @@ Points cloudOf(const PaperModel& model, const PaperRequest& request) {
   }
 }
 
-/// What one part adds to the report.
-struct Findings {
-  std::vector<Section> sections;
-  std::vector<Claim> claims;
-
-  void add(Section section, std::vector<Claim> of_section = {}) {
-    sections.push_back(std::move(section));
-    std::ranges::move(of_section, std::back_inserter(claims));
-  }
-};
-
-/// Makes the sections in order, and shares between them the results that several need.
+/// Runs the experiments in order, and shares between them what several need.
 class PaperRun {
  public:
   PaperRun(const PaperRequest& request, PaperModel model, const std::filesystem::path& out)
@@ -143,17 +127,26 @@ class PaperRun {
   std::string nameOfBlade() const { return model_.isBlisk() ? "blade 1 of " + model_.name : model_.name; }
 
   /// Tables 1 and 2, and figures 9 and 10.
-  Findings splits(unsigned parts, const Progress& progress) const {
-    const SplitRun run = runSplits(progress);
-    Findings findings;
-    if ((parts & kTable1) != 0) findings.add(nodesSection(run), nodesClaims(run));
-    if ((parts & kTable2) != 0) findings.add(splitTimesSection(run), splitTimesClaims(run));
-    if ((parts & kFigures) != 0) findings.add(splitPlotsSection(run, out_));
-    if ((parts & (kTable1 | kTable2)) != 0) writeCsv(splitCells(run), out_);
-    return findings;
+  nlohmann::json splits(const Progress& progress) const {
+    const Obb belt_box = principalBox(belt_->mesh().vertices());
+    const std::vector<BeltPose> poses =
+        posesAbout(*treeOf(model_.blade), *belt_, kPosesAbout, kReachOfPoses, request_.seed);
+    nlohmann::json numbers = {{"points", cloud_.size()},
+                              {"result", runSplitExperiment(cloud_, belt_box, poses, {.k_means = kMeans()},
+                                                            stretchOf(progress, 0.0, 0.3))}};
+    for (std::size_t i = 0; i < kSeeds; ++i) {
+      KMeansOptions k_means = kMeans();
+      k_means.seed += i;
+      numbers["of_seeds"].push_back(
+          runSplitExperiment(evenPoints(*model_.blade, request_.points, k_means.seed), belt_box, {},
+                             {.k_means = k_means, .repeats = kRepeatsOfSeeds}, [](double) {})
+              .cubes);
+      progress(0.3 + 0.7 * static_cast<double>(i + 1) / kSeeds);
+    }
+    return numbers;
   }
 
-  Findings table3(const Progress& progress) const {
+  nlohmann::json table3(const Progress& progress) const {
     const std::vector<Points> parts = clouds();
     const BliskRanges ranges = findBliskRanges(parts, kMeans());
     progress(0.1);
@@ -171,41 +164,31 @@ class PaperRun {
         [this](std::uint64_t seed) { return clouds(seed); }, principalBox(belt_->mesh().vertices()),
         grindingPath(0.0), {.count = kSeeds, .k_means = kMeans()}, stretchOf(progress, 0.3, 1.0));
     const Replay replay = detectionReplay(scene, result);
-    writeReplayPage(replay, replayMeshesOf(replay), out_ / kReplayFile);
-    Findings findings;
-    findings.add(bliskRangesSection(ranges, static_cast<std::size_t>(model_.blades.count)));
-    findings.add(detectionSection(result, seeds, model_.name, kLift), detectionClaims(result, seeds));
-    sayWhatIsByConstruction(findings.sections.back());
-    findings.sections.back().paragraphs.push_back(std::string(kReplayFile) +
-                                                  ", beside this report, plays both paths in the browser.");
-    return findings;
+    writeReplayPage(replay, replayMeshesOf(replay), out_ / "replay.html");
+    return {{"blades", model_.blades.count}, {"ranges", ranges}, {"result", result}, {"seeds", seeds}};
   }
 
-  Findings table4(const Progress& progress) const {
+  nlohmann::json table4(const Progress& progress) const {
     const RobotScene scene = robotScene(model_, clouds(), grindingPath(0.0));
     RobotRunOptions options;
     options.noise.seed = request_.seed;
     options.k_means = kMeans();
     const RobotReport report = runRobotExperiment(
-        scene, model_.name, grindingPath(kLift), kLift, options,
-        [this](std::uint64_t seed) { return clouds(seed); }, progress);
-    Section section = robotSection(report);
-    sayWhatIsByConstruction(section);
-    section.figures = drawRobotFigures(report, scene, out_);
-    return {{std::move(section)}, robotClaims(report)};
+        scene, grindingPath(kLift), options, [this](std::uint64_t seed) { return clouds(seed); }, progress);
+    drawRobotCell(report, scene, out_ / "table4_cell.png");
+    return report;
   }
 
-  Findings table5(const Progress&) const {
+  nlohmann::json table5(const Progress&) const {
     CmmExperimentOptions options;
     options.stock.seed = request_.seed;
     options.errors.seed = request_.seed + 1;
     options.cmm.seed = request_.seed + 2;
-    const CmmRuns runs = runCmm(*model_.mesh, model_.blades, options);
-    return {{cmmSection(*model_.mesh, model_.blades, runs, out_)}, cmmClaims(runs)};
+    return cmmNumbers(*model_.mesh, model_.blades, options);
   }
 
-  Findings figures(const Progress& progress) const {
-    return {figureSections(model_, belt_->mesh(), cloud_, request_.seed, out_, progress), {}};
+  nlohmann::json figures(const Progress& progress) const {
+    return drawFigures(model_, belt_->mesh(), cloud_, request_.seed, out_, progress);
   }
 
  private:
@@ -213,37 +196,11 @@ class PaperRun {
   std::vector<Points> clouds() const { return clouds(request_.seed); }
   KMeansOptions kMeans() const { return {.k = 2, .seed = request_.seed, .starts = request_.starts}; }
 
-  void sayWhatIsByConstruction(Section& section) const {
-    if (!request_.blade.empty()) return;
-    section.paragraphs.push_back(
-        "By construction: the built-in blisk is as large as the paper's, 480 × 480 × 200 mm. Only for that "
-        "reason does its traditional range agree with the paper's.");
-  }
-
   /// The grinding path, lifted off the blade by `lift`.
   std::vector<Pose> grindingPath(double lift) const {
     GrindingPathOptions path;
     if (lift > 0.0) path.depth = -lift;
     return makeGrindingPath(*model_.mesh, model_.blades, path);
-  }
-
-  SplitRun runSplits(const Progress& progress) const {
-    const Obb belt_box = principalBox(belt_->mesh().vertices());
-    const std::vector<BeltPose> poses =
-        posesAbout(*treeOf(model_.blade), *belt_, kPosesAbout, kReachOfPoses, request_.seed);
-    SplitRun run{.blade_name = nameOfBlade(),
-                 .points = cloud_.size(),
-                 .result = runSplitExperiment(cloud_, belt_box, poses, {.k_means = kMeans()},
-                                              stretchOf(progress, 0.0, 0.3))};
-    for (std::size_t i = 0; i < kSeeds; ++i) {
-      KMeansOptions k_means = kMeans();
-      k_means.seed += i;
-      run.of_seeds.push_back(
-          runSplitExperiment(evenPoints(*model_.blade, request_.points, k_means.seed), belt_box, {},
-                             {.k_means = k_means, .repeats = kRepeatsOfSeeds}, [](double) {}));
-      progress(0.3 + 0.7 * static_cast<double>(i + 1) / kSeeds);
-    }
-    return run;
   }
 
   const PaperRequest& request_;
@@ -256,17 +213,6 @@ class PaperRun {
 PaperModel modelOf(const PaperRequest& request) {
   return request.blade.empty() ? paperModel("the built-in blisk", embeddedBlisk())
                                : paperModel(request.blade, readUsersMesh(request.blade, request.units));
-}
-
-Document titlePage(const std::string& blade, std::uint64_t seed) {
-  return {
-      .title = "The paper's experiments, rerun",
-      .paragraphs = {"This report reruns the experiments of Z. Huang et al., Collision detection algorithm "
-                     "of belt grinding of the Blisk based on improved octree segmentation method, on " +
-                     blade +
-                     ", and compares the paper's numbers with ours. Nothing is tuned to match them. Apart "
-                     "from times, all results repeat exactly for the same --seed, " +
-                     std::to_string(seed) + " here."}};
 }
 
 /// Writes the report into the folder. When all parts are asked for, those that do not apply to the mesh are
@@ -293,21 +239,24 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   }
   const OutFolder out(request.out);
   const PaperRun run(request, std::move(model), out.path());
-  Document document = titlePage(run.nameOfBlade(), request.seed);
-  if (no_blisk) document.paragraphs.push_back("In this mesh, " + left_out + ".");
+  nlohmann::json numbers = {
+      {"blade", run.nameOfBlade()},           {"model", name}, {"built_in", request.blade.empty()},
+      {"seed", std::to_string(request.seed)}, {"lift", kLift}, {"parts", nlohmann::json::array()},
+      {"notes", nlohmann::json::array()}};
+  if (no_blisk) numbers["notes"].push_back("In this mesh, " + left_out + ".");
 
   struct Step {
     unsigned parts;
     double work;  // roughly, in seconds
-    std::string title;
-    std::function<Findings(const Progress&)> run;
+    const char* name;
+    const char* left_out;  // the title of a part that may be left out
+    nlohmann::json (PaperRun::*run)(const Progress&) const;
   };
-  std::vector<Step> steps = {
-      {kOfSplits, 12.0, "", [&](const Progress& progress) { return run.splits(parts, progress); }},
-      {kTable3, 10.0, "", [&](const Progress& progress) { return run.table3(progress); }},
-      {kTable4, 40.0, "Table 4", [&](const Progress& progress) { return run.table4(progress); }},
-      {kTable5, 10.0, "Table 5", [&](const Progress& progress) { return run.table5(progress); }},
-      {kFigures, 10.0, "", [&](const Progress& progress) { return run.figures(progress); }}};
+  std::vector<Step> steps = {{kOfSplits, 12.0, "splits", nullptr, &PaperRun::splits},
+                             {kTable3, 10.0, "table3", nullptr, &PaperRun::table3},
+                             {kTable4, 40.0, "table4", "Table 4", &PaperRun::table4},
+                             {kTable5, 10.0, "table5", "Table 5", &PaperRun::table5},
+                             {kFigures, 10.0, "figures", nullptr, &PaperRun::figures}};
   std::erase_if(steps, [parts](const Step& step) { return (step.parts & parts) == 0; });
   double work = 0.0, done = 0.0;
   for (const Step& step : steps) work += step.work;
@@ -315,23 +264,21 @@ void runPaper(const PaperRequest& request, unsigned parts, std::ostream& message
   constexpr double kTicks = 1000;
   ProgressBar bar(messages, static_cast<std::size_t>(kTicks));
   const Progress progress = [&bar](double part) { bar.update(static_cast<std::size_t>(part * kTicks)); };
-  Findings found;
   for (const Step& step : steps) {
     try {
-      Findings part = step.run(stretchOf(progress, done / work, (done + step.work) / work));
-      for (Section& section : part.sections) found.add(std::move(section));
-      std::ranges::move(part.claims, std::back_inserter(found.claims));
+      numbers[step.name] = (run.*step.run)(stretchOf(progress, done / work, (done + step.work) / work));
     } catch (const std::invalid_argument& error) {  // e.g. the arm does not reach, or a blade is too small
-      if (!all || step.title.empty()) throw;
-      document.paragraphs.push_back(step.title + " is left out: " + error.what() + ".");
+      if (!all || step.left_out == nullptr) throw;
+      numbers["notes"].push_back(step.left_out + std::string(" is left out: ") + error.what() + ".");
+      parts &= ~step.parts;
     }
     done += step.work;
     progress(done / work);
   }
-  if (!found.claims.empty()) document.sections.push_back(claimsSection(found.claims));
-  std::ranges::move(found.sections, std::back_inserter(document.sections));
-  document.sections.push_back(errataSection());
-  writeReport(document, out.path());
+  for (std::size_t part = 0; part < std::size(kNameOfPart); ++part) {
+    if ((parts >> part & 1) != 0) numbers["parts"].push_back(kNameOfPart[part]);
+  }
+  writePaperReport(paperReport(numbers), out.path());
 }
 
 constexpr int kMinPoints = 100, kMaxPoints = 10'000;

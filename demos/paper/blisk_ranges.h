@@ -1,11 +1,11 @@
 // Compares ways to divide the whole blisk's cloud: by k-means at once, or into its parts first.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <vector>
 
 #include "paper/segmentation.h"
-#include "render/document.h"
 
 namespace octoblisk::demos {
 
@@ -27,7 +27,7 @@ struct BliskRanges {
 /// `parts` are the parts' clouds, each with at least 8 points; the k of the options is ignored.
 BliskRanges findBliskRanges(std::span<const Points> parts, const detail::KMeansOptions& k_means);
 
-/// The section of the report.
-Section bliskRangesSection(const BliskRanges& ranges, std::size_t blades);
+void to_json(nlohmann::json& json, const BliskRange& range);
+void to_json(nlohmann::json& json, const BliskRanges& ranges);
 
 }  // namespace octoblisk::demos

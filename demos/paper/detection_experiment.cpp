@@ -1,6 +1,7 @@
 #include "paper/detection_experiment.h"
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
@@ -178,6 +179,32 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
   timeRuns(detectors, ground, options.runs, result.rows, stretchOf(progress, 0.3, 0.7));
   result.holes = holesOf(coversOf(blisk, belt, paper), ground, lifted, stretchOf(progress, 0.7, 1.0));
   return result;
+}
+
+void to_json(nlohmann::json& json, const DetectionResult& result) {
+  const auto of = [](const Alarms& alarms) {
+    return nlohmann::json{{"touching", alarms.touching},
+                          {"clear", alarms.clear},
+                          {"false_positives", alarms.false_positives},
+                          {"false_negatives", alarms.false_negatives}};
+  };
+  json = {{"path_poses", result.path_poses},
+          {"cloud_points", result.cloud_points},
+          {"fnop", result.options.fnop},
+          {"k", result.options.k_means.k}};
+  for (const DetectionRow& row : result.rows) {
+    json["rows"].push_back({{"method", row.method},
+                            {"range", row.range},
+                            {"volume_left", row.volume_left},
+                            {"boxes_tested", row.boxes_tested},
+                            {"run_seconds", row.run_seconds},
+                            {"ground", of(row.ground)},
+                            {"lifted", of(row.lifted)},
+                            {"is_exact", row.is_exact}});
+  }
+  for (const HolesRow& row : result.holes) {
+    json["holes"].push_back({{"method", row.method}, {"touching", row.touching}, {"missed", row.missed}});
+  }
 }
 
 }  // namespace octoblisk::demos

@@ -1,6 +1,7 @@
 // The experiment of Table 3: detection over a grinding path, by the paper's methods and ours.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -91,5 +92,7 @@ DetectionResult runDetectionExperiment(const ClusteredOctree& blisk, const Clust
                                        const std::vector<Points>& parts, const std::vector<BeltPose>& ground,
                                        const std::vector<BeltPose>& lifted, const DetectionOptions& options,
                                        const Progress& progress);
+
+void to_json(nlohmann::json& json, const DetectionResult& result);
 
 }  // namespace octoblisk::demos

@@ -3,17 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "build/paper/k_means.h"
-#include "paper/claims.h"
 #include "paper/paper_model.h"
 #include "paper/progress.h"
-#include "paper/published.h"
-#include "paper/spread.h"
-#include "render/document.h"
 
 namespace octoblisk::demos {
 
@@ -39,14 +35,6 @@ DetectionSeeds detectionOverSeeds(const std::function<std::vector<Points>(std::u
                                   const Obb& belt_box, std::span<const Pose> belt_in_blisk,
                                   const DetectionSeedOptions& options, const Progress& progress);
 
-/// Rows: the ranges and the time; columns: mean, least and greatest of their changes.
-Table seedsTable(std::string name, const std::string& of, const DetectionSeeds& seeds);
-
-/// A paragraph: the mean changes, and whether their signs depend on the seed.
-std::string seedsVerdict(const DetectionSeeds& seeds);
-
-/// The change of the range, and of the time.
-std::vector<Claim> seedsClaims(const std::string& table, const DetectionSeeds& seeds,
-                               const DetectionTable& paper);
+void to_json(nlohmann::json& json, const DetectionSeeds& seeds);
 
 }  // namespace octoblisk::demos

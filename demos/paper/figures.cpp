@@ -1,6 +1,8 @@
 #include "paper/figures.h"
 
 #include <array>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "build/paper/principal_box.h"
@@ -136,41 +138,26 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
   return pictures;
 }
 
-std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
-                                    std::uint64_t seed, const std::filesystem::path& folder,
-                                    const Progress& progress) {
-  std::vector<Section> sections = {
-      {.title = "Figure 2: the belt's box"},
-      {.title = "Figure 4: cells of the traditional octree",
-       .paragraphs =
-           {"Cubes along the axes. Cells without points are not drawn, although the paper counts them."}},
-      {.title = "Figure 5: traditional and improved",
-       .paragraphs =
-           {"The same blade at FNOP 10, from the same viewpoint; the volumes are those of the drawn cells."}},
-      {.title = "Figure 8: clusters of the blade",
-       .paragraphs = {"Clusters of the blade's points, in mm; the colours only distinguish the clusters."}}};
-  std::vector<std::vector<NamedPicture>> pictures(sections.size());
-  pictures[0].push_back(beltBoxPicture(belt));
-  pictures[1] = cellPictures(model, cloud);
-  pictures[2] = comparisonPictures(model, cloud, seed);
-  pictures[3] = clusterPictures(model, cloud, seed);
+nlohmann::json drawFigures(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
+                           std::uint64_t seed, const std::filesystem::path& folder,
+                           const Progress& progress) {
+  std::map<std::string, std::vector<NamedPicture>> pictures;
+  pictures["belt_box"].push_back(beltBoxPicture(belt));
+  pictures["cells"] = cellPictures(model, cloud);
+  pictures["comparison"] = comparisonPictures(model, cloud, seed);
+  pictures["clusters"] = clusterPictures(model, cloud, seed);
   std::size_t count = 0, done = 0;
-  for (const auto& of_section : pictures) count += of_section.size();
-  for (std::size_t s = 0; s < sections.size(); ++s) {
-    for (const NamedPicture& named : pictures[s]) {
+  for (const auto& [name, named] : pictures) count += named.size();
+  nlohmann::json figures;
+  for (const auto& [name, of_name] : pictures) {
+    for (const NamedPicture& named : of_name) {
       writePng(named.picture, (folder / named.file).string(), kWidth, kHeight);
-      sections[s].figures.push_back({named.file, named.caption});
+      figures[name].push_back({{"file", named.file}, {"caption", named.caption}});
       progress(static_cast<double>(++done) / static_cast<double>(count));
     }
   }
   writeSvg(algorithmChart(), folder / "fig7.svg");
-  sections.insert(sections.end() - 1,
-                  {.title = "Figure 7: the algorithm",
-                   .paragraphs = {"The algorithm as it is run here; its last rows are the exact test of the "
-                                  "triangles. Figures 1, 3 and 6 of the paper explain principles and have no "
-                                  "results. Figures 11 and 12 show the cell and the software: see Table 4."},
-                   .figures = {{"fig7.svg", "Figure 7: flow chart of the collision detection"}}});
-  return sections;
+  return figures;
 }
 
 }  // namespace octoblisk::demos

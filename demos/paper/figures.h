@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "paper/paper_model.h"
 #include "paper/progress.h"
-#include "render/document.h"
 #include "render/picture.h"
 
 namespace octoblisk::demos {
@@ -32,9 +32,9 @@ std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Poin
 /// Figure 8: the blade's clusters for k = 2..8.
 std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points& cloud, std::uint64_t seed);
 
-/// Draws all of them, and figure 7, into the folder. Throws as writePng and writeSvg.
-std::vector<Section> figureSections(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
-                                    std::uint64_t seed, const std::filesystem::path& folder,
-                                    const Progress& progress);
+/// Draws all of them, and figure 7, into the folder. The result has the files and captions of each of the
+/// four figures. Throws as writePng and writeSvg.
+nlohmann::json drawFigures(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,
+                           std::uint64_t seed, const std::filesystem::path& folder, const Progress& progress);
 
 }  // namespace octoblisk::demos

@@ -1,10 +1,10 @@
 #include "paper/split_experiment.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "paper/box_detection.h"
-#include "paper/spread.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {
@@ -47,13 +47,29 @@ void timeSplits(const std::array<Clusters, kMethods>& clusters, int repeats, Spl
   }
   for (std::size_t method = 0; method < kMethods; ++method) {
     for (std::size_t column = 0; column < kFnops; ++column) {
-      result.cubes[method][column].split_ms = spreadOf(times[method][column][0]).median;
-      result.principal[method][column].split_ms = spreadOf(times[method][column][1]).median;
+      result.cubes[method][column].split_ms = medianOf(times[method][column][0]);
+      result.principal[method][column].split_ms = medianOf(times[method][column][1]);
     }
   }
 }
 
 }  // namespace
+
+void to_json(nlohmann::json& json, const SplitCell& cell) {
+  json = {{"nodes", cell.nodes},
+          {"split_ms", cell.split_ms},
+          {"leaf_volume", cell.leaf_volume},
+          {"false_positives", cell.false_positives},
+          {"false_negatives", cell.false_negatives}};
+}
+
+void to_json(nlohmann::json& json, const SplitResult& result) {
+  json = {{"cubes", result.cubes},
+          {"principal", result.principal},
+          {"cluster_ms", result.cluster_ms},
+          {"touching", result.touching},
+          {"clear", result.clear}};
+}
 
 SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::span<const BeltPose> poses,
                                const SplitOptions& options, const Progress& progress) {
@@ -70,7 +86,7 @@ SplitResult runSplitExperiment(const Points& cloud, const Obb& belt_box, std::sp
       clusters[method] = clustersOf(cloud, k_means);
       times.push_back(1e3 * watch.seconds());
     }
-    if (method > 0) result.cluster_ms[method] = spreadOf(times).median;
+    if (method > 0) result.cluster_ms[method] = medianOf(times);
   }
   for (std::size_t method = 0; method < kMethods; ++method) {
     for (std::size_t column = 0; column < kFnops; ++column) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 
 #include "paper/belt_poses.h"
@@ -32,17 +33,8 @@ struct SplitResult {
   std::size_t touching = 0, clear = 0;        ///< poses
 };
 
-/// One number of every cell.
-template <typename Number>
-MethodTable<Number> numbersOf(const MethodTable<SplitCell>& cells, Number SplitCell::*number) {
-  MethodTable<Number> table{};
-  for (std::size_t method = 0; method < kMethods; ++method) {
-    for (std::size_t column = 0; column < kFnops; ++column) {
-      table[method][column] = cells[method][column].*number;
-    }
-  }
-  return table;
-}
+void to_json(nlohmann::json& json, const SplitCell& cell);
+void to_json(nlohmann::json& json, const SplitResult& result);
 
 /// Divides a cloud of at least 8 points. The belt is represented by its one box along its principal axes, in
 /// the belt's frame; the poses' verdicts are for the cloud's mesh. Everything but the times is the same, bit

@@ -4,13 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <stdexcept>
 
+#include "demos/paper_report.h"
+#include "io/number_text.h"
 #include "models/belt_grinder.h"
 #include "models/blisk.h"
 #include "models/shared_tree.h"
 #include "octoblisk/collide.h"
-#include "paper/robot/robot_section.h"
+#include "paper/robot/robot_report.h"
 #include "paper/robot/timed_path.h"
 #include "shared/meshes.h"
 #include "toolpath/grinding_path.h"
@@ -250,7 +253,7 @@ TEST(RobotSection, showsTheRunsBesideThePaper) {
   options.control_period = 0.1;
   double done = 0.0;
   const RobotReport report = runRobotExperiment(
-      scene, "a coarse blisk", lifted, 1.0, options, [&](std::uint64_t) { return scene.clouds; },
+      scene, lifted, options, [&](std::uint64_t) { return scene.clouds; },
       [&](double part) {
         EXPECT_GE(part, done);
         done = part;
@@ -260,7 +263,8 @@ TEST(RobotSection, showsTheRunsBesideThePaper) {
   EXPECT_NE(report.runs[0].mean_sensing_error, report.runs[1].mean_sensing_error);
   EXPECT_LT(report.lifted.touching_ticks, report.runs[0].touching_ticks);
 
-  const Section section = robotSection(report);
+  const PaperReport written = reportOf("table4", "table4", report);
+  const Section& section = written.document.sections[1];
   ASSERT_EQ(section.tables.size(), 6u);
   const Table& paper = section.tables[0];
   ASSERT_EQ(paper.rows.size(), 4u);  // range; least, median and greatest time
@@ -271,7 +275,9 @@ TEST(RobotSection, showsTheRunsBesideThePaper) {
   EXPECT_EQ(paper.rows[2][7], "-18.48 %");
   EXPECT_EQ(section.tables[1].name, "table4_seeds");
   ASSERT_EQ(report.seeds.count(), 32u);
-  EXPECT_EQ(section.tables[1].rows[0][1], changeText(1.0, spreadOf(report.seeds.range).mean));
+  const double mean = std::accumulate(report.seeds.range.begin(), report.seeds.range.end(), 0.0) / 32.0;
+  EXPECT_EQ(section.tables[1].rows[0][1], changeText(1.0, mean));
+  EXPECT_EQ(written.plots.size(), 2u);
   const Table& alarms = section.tables[3];
   ASSERT_EQ(alarms.rows.size(), 2 * kRobotMethods);
   const RobotRun& last = report.lifted;

@@ -1,17 +1,13 @@
-// The figures for Table 4: errors and times along the path, and the cell.
+// The picture of Table 4's cell.
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "paper/robot/robot_report.h"
-#include "render/document.h"
 
 namespace octoblisk::demos {
 
-/// Draws into the folder two plots of the first run, and a picture of the cell halfway along it. Throws as
-/// writeSvg and writePng.
-std::vector<Figure> drawRobotFigures(const RobotReport& report, const RobotScene& scene,
-                                     const std::filesystem::path& folder);
+/// Draws the cell halfway along the first run. Throws as writePng.
+void drawRobotCell(const RobotReport& report, const RobotScene& scene, const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

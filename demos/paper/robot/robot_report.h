@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "paper/detection_seeds.h"
@@ -14,9 +14,7 @@ namespace octoblisk::demos {
 /// The experiment: three runs along the path, as in the paper, with different noise, and one along the same
 /// path lifted off the blade, where every touch is interference.
 struct RobotReport {
-  std::string blisk_name;
   std::size_t path_poses = 0;
-  double lift = 0.0;  ///< of the lifted path, mm
   SixAxisArm arm;
   ServoOptions servo;
   StandOptions stand;
@@ -28,8 +26,7 @@ struct RobotReport {
 /// Chooses the layout for the scene's path and makes the runs, with seeds counted up from that of the
 /// options. The lifted path must begin near the scene's path; `parts_of_seed` gives the clouds of the blisk's
 /// parts. Throws as chooseLayout and runRobot.
-RobotReport runRobotExperiment(const RobotScene& scene, std::string blisk_name,
-                               const std::vector<Pose>& lifted_path, double lift,
+RobotReport runRobotExperiment(const RobotScene& scene, const std::vector<Pose>& lifted_path,
                                const RobotRunOptions& options,
                                const std::function<std::vector<Points>(std::uint64_t seed)>& parts_of_seed,
                                const Progress& progress);
@@ -43,5 +40,7 @@ struct RobotTotals {
   RobotAlarms touch, wrong;  ///< for touches, and for forbidden touches
 };
 RobotTotals totalsOf(std::span<const RobotRun> runs, RobotMethod method);
+
+void to_json(nlohmann::json& json, const RobotReport& report);
 
 }  // namespace octoblisk::demos
