@@ -32,7 +32,7 @@
 #include "paper/figures.h"
 #include "paper/paper_model.h"
 #include "paper/report.h"
-#include "paper/robot/robot_figures.h"
+#include "paper/robot/robot_report.h"
 #include "paper/split_experiment.h"
 #include "paper/surface_points.h"
 #include "report/replay_files.h"
@@ -84,10 +84,8 @@ class OutFolder {
  public:
   explicit OutFolder(const std::string& path) : path_(path) {
     std::error_code error;
-    is_new_ = std::filesystem::create_directories(path_, error);
-    if (error)
-      throw std::runtime_error(path + ": cannot create the folder: " + error.message() +
-                               ": choose another --out");
+    is_new_ = !std::filesystem::exists(path_, error);
+    makeFolder(path_);
     if (::access(path_.c_str(), W_OK) != 0)
       throw std::runtime_error(path + ": the folder is not writable: choose another --out");
   }

@@ -107,39 +107,63 @@ class PairDescent {
   BoxesLeft left_;
 };
 
-}  // namespace
-
-BoxesLeft leavesNear(const Segmentation& blisk, const Obb& box, SeparatingAxes axes) {
+/// The leaf boxes that a descent finds through boxes that overlap a box.
+template <typename Descend>
+BoxesLeft leftBy(const Obb& box, SeparatingAxes axes, const Descend& descendAll) {
   BoxesLeft left;
-  const auto near = [&](const Obb& cell) {
+  const auto near = [&](const Obb& here) {
     ++left.tested;
-    return overlaps(box, cell, axes);
+    return overlaps(box, here, axes);
   };
-  descend(blisk, near, [&](const Obb& cell) {
+  descendAll(near, [&](const Obb& leaf) {
     ++left.leaves;
-    left.volume += cell.volume();
+    left.volume += leaf.volume();
     return false;
   });
   return left;
 }
 
+/// Whether a triangle of the body meets a box of the blisk.
+auto meeting(const ClusteredOctree& body, const Pose& body_in_blisk) {
+  return [&body, blisk_in_body = body_in_blisk.inverse()](const Obb& box) {
+    return collide(body, ConvexBox(box), blisk_in_body).has_value();
+  };
+}
+
+constexpr auto kAnyLeaf = [](const Obb&) { return true; };
+
+}  // namespace
+
+BoxesLeft leavesNear(const Segmentation& blisk, const Obb& box, SeparatingAxes axes) {
+  return leftBy(box, axes, [&](const auto& near, const auto& visit) { descend(blisk, near, visit); });
+}
+
+BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
+  return leftBy(box, SeparatingAxes::exact15, [&](const auto& near, const auto& visit) {
+    descend(detail::treeOf(blisk), Tree::kRoot, near, visit);
+  });
+}
+
+BoxesLeft leavesNear(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
+  return PairDescent(detail::treeOf(blisk), detail::treeOf(body), body_in_blisk).find();
+}
+
 bool anyLeafNear(const Segmentation& blisk, const Obb& box) {
   return descend(
-      blisk, [&](const Obb& cell) { return overlaps(box, cell); }, [](const Obb&) { return true; });
+      blisk, [&](const Obb& cell) { return overlaps(box, cell); }, kAnyLeaf);
 }
 
 bool anyLeafMeets(const Segmentation& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
-  const Pose blisk_in_body = body_in_blisk.inverse();
-  const auto meets = [&](const Obb& cell) {
-    return collide(body, ConvexBox(cell), blisk_in_body).has_value();
-  };
-  return descend(blisk, meets, [](const Obb&) { return true; });
+  return descend(blisk, meeting(body, body_in_blisk), kAnyLeaf);
+}
+
+bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
+  return descend(detail::treeOf(blisk), Tree::kRoot, meeting(body, body_in_blisk), kAnyLeaf);
 }
 
 bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& blisk,
                        const ClusteredOctree& body, const Pose& body_in_blisk) {
-  const Pose blisk_in_body = body_in_blisk.inverse();
-  const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
+  const auto meets = meeting(body, body_in_blisk);
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const Octree& octree = blisk.octrees()[c];
     const auto fittedMeets = [&](const Obb& cell, const Octree::Node& leaf) {
@@ -150,30 +174,6 @@ bool anyFittedBoxMeets(std::span<const Points> clusters, const Segmentation& bli
     if (descend(octree, octree.nodes().front(), meets, fittedMeets)) return true;
   }
   return false;
-}
-
-bool anyLeafMeets(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
-  const Pose blisk_in_body = body_in_blisk.inverse();
-  const auto meets = [&](const Obb& box) { return collide(body, ConvexBox(box), blisk_in_body).has_value(); };
-  return descend(detail::treeOf(blisk), Tree::kRoot, meets, [](const Obb&) { return true; });
-}
-
-BoxesLeft leavesNear(const ClusteredOctree& blisk, const Obb& box) {
-  BoxesLeft left;
-  const auto near = [&](const Obb& here) {
-    ++left.tested;
-    return overlaps(box, here);
-  };
-  descend(detail::treeOf(blisk), Tree::kRoot, near, [&](const Obb& leaf) {
-    ++left.leaves;
-    left.volume += leaf.volume();
-    return false;
-  });
-  return left;
-}
-
-BoxesLeft leavesNear(const ClusteredOctree& blisk, const ClusteredOctree& body, const Pose& body_in_blisk) {
-  return PairDescent(detail::treeOf(blisk), detail::treeOf(body), body_in_blisk).find();
 }
 
 }  // namespace octoblisk::demos

@@ -10,7 +10,7 @@
 #include "octoblisk/collide.h"
 #include "octoblisk/path_query.h"
 #include "paper/box_detection.h"
-#include "paper/paper_octrees.h"
+#include "paper/segmentation.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {

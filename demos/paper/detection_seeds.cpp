@@ -4,7 +4,7 @@
 
 #include "build/paper/principal_box.h"
 #include "paper/box_detection.h"
-#include "paper/paper_octrees.h"
+#include "paper/segmentation.h"
 #include "paper/stopwatch.h"
 
 namespace octoblisk::demos {

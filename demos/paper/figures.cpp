@@ -3,12 +3,14 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "build/paper/principal_box.h"
 #include "io/number_text.h"
-#include "paper/algorithm_chart.h"
 #include "paper/segmentation.h"
+#include "render/picture.h"
 
 namespace octoblisk::demos {
 
@@ -54,6 +56,12 @@ std::string cellsText(const Segmentation& segmentation, std::size_t cells) {
          " cells with points, together " + fixedText(1e-3 * segmentation.leafVolume(), 1) + " · 10³ mm³";
 }
 
+struct NamedPicture {
+  std::string file;
+  std::string caption;
+  Picture picture;
+};
+
 NamedPicture segmentationPicture(const PaperModel& model, const Points& cloud,
                                  const std::vector<Points>& clusters, std::size_t fnop, CellFrame cells_frame,
                                  std::string file, const std::string& title) {
@@ -74,8 +82,7 @@ NamedPicture segmentationPicture(const PaperModel& model, const Points& cloud,
   return {std::move(file), std::move(caption), std::move(picture)};
 }
 
-}  // namespace
-
+/// Figure 2: the belt's points in their box along the principal axes.
 NamedPicture beltBoxPicture(const TriangleMesh& belt) {
   const Obb box = principalBox(belt.vertices());
   Picture picture;
@@ -95,6 +102,7 @@ NamedPicture beltBoxPicture(const TriangleMesh& belt) {
           std::move(picture)};
 }
 
+/// Figure 4: the blade's traditional cells at FNOP 2, 10 and 50, cubes along the axes.
 std::vector<NamedPicture> cellPictures(const PaperModel& model, const Points& cloud) {
   std::vector<NamedPicture> pictures;
   const std::array<std::pair<std::size_t, char>, 3> cases = {{{2, 'a'}, {10, 'b'}, {50, 'c'}}};
@@ -106,6 +114,7 @@ std::vector<NamedPicture> cellPictures(const PaperModel& model, const Points& cl
   return pictures;
 }
 
+/// Figure 5: traditional beside improved with k = 2, along the axes and in principal frames, at FNOP 10.
 std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Points& cloud,
                                              std::uint64_t seed) {
   constexpr std::size_t kFnop = 10;
@@ -118,6 +127,7 @@ std::vector<NamedPicture> comparisonPictures(const PaperModel& model, const Poin
                               "Not in the paper: k = 2, principal frames")};
 }
 
+/// Figure 8: the blade's clusters for k = 2..8.
 std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points& cloud, std::uint64_t seed) {
   std::vector<NamedPicture> pictures;
   for (std::size_t k = 2; k <= 8; ++k) {
@@ -136,6 +146,50 @@ std::vector<NamedPicture> clusterPictures(const PaperModel& model, const Points&
     pictures.push_back({std::string("fig8") + letter + ".png", title, std::move(picture)});
   }
   return pictures;
+}
+
+}  // namespace
+
+FlowChart algorithmChart() {
+  enum : std::size_t {
+    kBelt,
+    kBlisk,
+    kParts,
+    kBeltBox,
+    kClusters,
+    kOctrees,
+    kCells,
+    kOverlap,
+    kClear,
+    kCall,
+    kTriangles,
+    kTouch,
+    kFalseAlarm,
+    kContact
+  };
+  FlowChart chart;
+  chart.boxes = {{0.0, 0, "Points of the abrasive belt"},
+                 {1.0, 0, "Points of the blisk"},
+                 {1.0, 1, "Parts: each blade, the hub"},
+                 {0.0, 2, "One box along the belt's principal axes (eq. 1–3)"},
+                 {1.0, 2, "k-means: k clusters of each part (eq. 4, 5)"},
+                 {1.0, 3, "An octree over each cluster: a cell with more points than FNOP is divided"},
+                 {0.5, 4,
+                  "At each pose: test the belt's box against the cells, from the roots down, with separating "
+                  "axes (eq. 11)"},
+                 {0.5, 5, "Does a leaf cell with points overlap it?", FlowShape::question},
+                 {0.0, 6, "No collision"},
+                 {1.0, 6, "Collision: the paper stops here"},
+                 {1.0, 7, "Not in the paper: the exact test of the triangles"},
+                 {1.0, 8, "Do two triangles touch?", FlowShape::question},
+                 {0.5, 9, "False positive"},
+                 {1.5, 9, "Contact"}};
+  chart.arrows = {{kBelt, kBeltBox},        {kBlisk, kParts},         {kParts, kClusters},
+                  {kClusters, kOctrees},    {kBeltBox, kCells},       {kOctrees, kCells},
+                  {kCells, kOverlap},       {kOverlap, kClear, "no"}, {kOverlap, kCall, "yes"},
+                  {kCall, kTriangles},      {kTriangles, kTouch},     {kTouch, kFalseAlarm, "no"},
+                  {kTouch, kContact, "yes"}};
+  return chart;
 }
 
 nlohmann::json drawFigures(const PaperModel& model, const TriangleMesh& belt, const Points& cloud,

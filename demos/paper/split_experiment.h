@@ -6,11 +6,23 @@
 #include <span>
 
 #include "paper/belt_poses.h"
-#include "paper/method_table.h"
 #include "paper/progress.h"
 #include "paper/segmentation.h"
 
 namespace octoblisk::demos {
+
+/// A table has one row per method and one column per FNOP, like the paper's Tables 1 and 2.
+/// Rows: the traditional octree, then k = 2..8.
+inline constexpr std::size_t kMethods = 8;
+/// Columns: FNOP = 1..10.
+inline constexpr std::size_t kFnops = 10;
+
+template <typename Number>
+using MethodTable = std::array<std::array<Number, kFnops>, kMethods>;
+
+/// k of a row; 0 for the traditional method.
+constexpr std::size_t clustersOfMethod(std::size_t method) { return method == 0 ? 0 : method + 1; }
+constexpr std::size_t fnopOf(std::size_t column) { return column + 1; }
 
 struct SplitOptions {
   detail::KMeansOptions k_means{};  ///< for each k

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "cmm_shapes.h"
-#include "paper/cmm/hertz.h"
+#include "hertz.h"
 #include "paper/cmm/wheel_contact.h"
 
 namespace octoblisk::demos {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "cmm_shapes.h"
-#include "paper/cmm/error_statistics.h"
+#include "paper/cmm/statistics_map.h"
 #include "paper/cmm/virtual_cmm.h"
 
 namespace octoblisk::demos {

@@ -4,10 +4,10 @@
 
 #include "demos/paper_report.h"
 #include "io/number_text.h"
-#include "paper/algorithm_chart.h"
 #include "paper/blisk_ranges.h"
 #include "paper/detection_experiment.h"
 #include "paper/detection_seeds.h"
+#include "paper/figures.h"
 #include "paper/robot/robot_report.h"
 #include "paper/segmentation.h"
 #include "paper/split_experiment.h"

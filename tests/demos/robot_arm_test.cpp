@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "demos/robot_poses.h"
-#include "paper/robot/inverse_kinematics.h"
+#include "paper/robot/six_axis_arm.h"
 #include "shared/meshes.h"
 
 namespace octoblisk::demos {

@@ -128,20 +128,6 @@ Rows rowsOf(const BladesFound& blades, const BladeStripOptions& options) {
 
 }  // namespace
 
-const char* letterOf(BladeArea area) {
-  switch (area) {
-    case BladeArea::leading_edge:
-      return "A";
-    case BladeArea::convex:
-      return "B";
-    case BladeArea::trailing_edge:
-      return "C";
-    case BladeArea::concave:
-      return "D";
-  }
-  return "";
-}
-
 double BladeStrip::loopFraction(std::size_t station) const {
   const std::size_t middle = grid.rows() / 2;
   return grid.at(middle, station).arc / grid.length(middle);

@@ -14,9 +14,6 @@ enum class BladeArea { leading_edge, convex, trailing_edge, concave };
 inline constexpr std::array kBladeAreas = {BladeArea::leading_edge, BladeArea::convex,
                                            BladeArea::trailing_edge, BladeArea::concave};
 
-/// "A", "B", "C", "D".
-const char* letterOf(BladeArea area);
-
 /// Lengths in mm. All values are assumed: the paper gives neither the limits of its areas nor the numbers of
 /// sections and points that it measured.
 struct BladeStripOptions {

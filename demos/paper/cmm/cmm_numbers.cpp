@@ -1,12 +1,10 @@
 #include "paper/cmm/cmm_numbers.h"
 
-#include <algorithm>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
-
-#include "paper/cmm/hertz.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -60,23 +58,18 @@ nlohmann::json profileOf(const CmmExperiment& experiment) {
 nlohmann::json errorsOfSection(const CmmExperiment& experiment, BladeArea area) {
   const BladeStrip& strip = experiment.strip;
   const std::size_t row = middleRow(strip);
-  struct Place {
-    double arc;
-    const MeasuredPoint* point;
-  };
-  std::vector<Place> places;
+  std::map<double, const MeasuredPoint*> points;
   for (const MeasuredPoint& point : experiment.points) {
     if (point.row != row || point.area != area) continue;
     double arc = strip.grid.at(row, point.station).arc;
     if (area == BladeArea::leading_edge && arc > 0.5 * strip.grid.length(row)) arc -= strip.grid.length(row);
-    places.push_back({arc, &point});
+    points[arc] = &point;
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.arc < b.arc; });
   nlohmann::json errors;
-  for (const Place& place : places) {
-    errors["arc"].push_back(place.arc);
-    errors["before"].push_back(place.point->before);
-    errors["after"].push_back(place.point->after);
+  for (const auto& [arc, point] : points) {
+    errors["arc"].push_back(arc);
+    errors["before"].push_back(point->before);
+    errors["after"].push_back(point->after);
   }
   return errors;
 }

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "paper/cmm/random_field.h"
-#include "paper/cmm/statistics_map.h"
 
 namespace octoblisk::demos {
 

@@ -1,13 +1,23 @@
 // The milled blade before grinding: its nominal surface and an error along the normal at each point.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "paper/cmm/blade_strip.h"
-#include "paper/cmm/paper_table5.h"
+#include "paper/cmm/statistics_map.h"
 
 namespace octoblisk::demos {
+
+/// In the order of kBladeAreas, mm.
+using AreaStatistics = std::array<ErrorStatistics, kBladeAreas.size()>;
+
+/// Table 5 of the paper, before grinding.
+inline constexpr AreaStatistics kPaperBefore = {{{0.0197, 0.0282, 0.0238, 0.0028},
+                                                 {0.0188, 0.0271, 0.0234, 0.0024},
+                                                 {0.0200, 0.0290, 0.0251, 0.0023},
+                                                 {0.0191, 0.0260, 0.0228, 0.0021}}};
 
 /// The correlation lengths (mm) are assumed, because the paper gives none.
 struct StockOptions {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "paper/cmm/hertz.h"
-
 namespace octoblisk::demos {
 namespace {
 
@@ -23,6 +21,17 @@ struct Reached {
 };
 
 }  // namespace
+
+double contactModulus(const ElasticSolid& a, const ElasticSolid& b) {
+  const auto compliance = [](const ElasticSolid& solid) {
+    return (1.0 - solid.poissons_ratio * solid.poissons_ratio) / solid.youngs_modulus;
+  };
+  return 1.0 / (compliance(a) + compliance(b));
+}
+
+double rubberModulus(double shore_a) {
+  return 0.0981 * (56.0 + 7.62336 * shore_a) / (0.137505 * (254.0 - 2.54 * shore_a));
+}
 
 double ContactWheel::contactModulus() const {
   return demos::contactModulus({rubberModulus(shore_a), poissons_ratio},

@@ -9,6 +9,19 @@
 
 namespace octoblisk::demos {
 
+struct ElasticSolid {
+  double youngs_modulus = 0.0;  ///< MPa
+  double poissons_ratio = 0.0;
+};
+
+/// E* of two solids: 1/E* = (1-ν₁²)/E₁ + (1-ν₂²)/E₂ (MPa).
+double contactModulus(const ElasticSolid& a, const ElasticSolid& b);
+
+/// The modulus of rubber (MPa) with a Shore A hardness S in (0, 100), after A. N. Gent (1958), "On the
+/// relation between indentation hardness and Young's modulus": 0.0981 (56 + 7.62336 S) / (0.137505 (254
+/// - 2.54 S)).
+double rubberModulus(double shore_a);
+
 /// A wheel with a rubber cover. Its axis lies along the section; across the section it is as round as
 /// `radius`.
 struct ContactWheel {
@@ -20,8 +33,7 @@ struct ContactWheel {
   double blade_modulus = 114e3;           ///< MPa: Ti-6Al-4V, a blisk's usual alloy; the paper names none
   double blade_poissons_ratio = 0.34;
 
-  double contactModulus()
-      const;  ///< E* of cover and blade, MPa (hertz.h); the belt's own stiffness is left out
+  double contactModulus() const;  ///< E* of cover and blade, MPa; the belt's own stiffness is left out
 };
 
 /// The depth to which a force (N) presses the wheel into a flat: d = 4F / (πE*L), where L is the width (mm).

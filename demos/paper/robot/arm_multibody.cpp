@@ -125,12 +125,6 @@ Joints ArmMultiBody::joints() const {
   return joints;
 }
 
-Joints ArmMultiBody::rates() const {
-  Joints rates;
-  for (int link = 0; link <= kFlange; ++link) rates[link] = double(body_.getJointVel(link));
-  return rates;
-}
-
 void ArmMultiBody::command(const Joints& position, const Joints& rate, double seconds) {
   for (int link = 0; link <= kFlange; ++link) {
     btMultiBodyJointMotor& motor = *motors_[static_cast<std::size_t>(link)];

@@ -33,7 +33,6 @@ class ArmMultiBody {
 
   void place(const Joints& joints);
   Joints joints() const;
-  Joints rates() const;
 
   /// Sets the motors' targets for the next step, of `seconds`.
   void command(const Joints& position, const Joints& rate, double seconds);

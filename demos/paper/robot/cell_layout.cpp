@@ -61,13 +61,6 @@ Pose bliskInBase(const StandOptions& stand, double turntable_angle, double middl
   return blisk_in_base;
 }
 
-std::size_t firstNotReached(const SixAxisArm& arm, const CellLayout& layout,
-                            const std::vector<Pose>& tool_in_blisk, Reach& why) {
-  const Followed followed = follow(arm, layout, tool_in_blisk);
-  why = followed.why;
-  return followed.reached;
-}
-
 CellLayout chooseLayout(const SixAxisArm& arm, const std::vector<Pose>& tool_in_blisk, const Aabb& bounds,
                         const StandOptions& stand) {
   if (tool_in_blisk.empty()) throw std::invalid_argument("the path for the cell's layout has no poses");

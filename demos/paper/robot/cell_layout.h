@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "octoblisk/types.h"
-#include "paper/robot/inverse_kinematics.h"
+#include "paper/robot/six_axis_arm.h"
 
 namespace octoblisk::demos {
 
@@ -31,11 +31,6 @@ Pose toolInFlange(double tool_length);
 /// The blisk on its stand at an angle. Its z axis is the turntable's; its point at z = `middle` (mm) is at
 /// the centre.
 Pose bliskInBase(const StandOptions& stand, double turntable_angle, double middle);
-
-/// The first pose that the arm cannot reach on a path from `start`, always with the nearest joints; the
-/// number of poses if it reaches all.
-std::size_t firstNotReached(const SixAxisArm& arm, const CellLayout& layout,
-                            const std::vector<Pose>& tool_in_blisk, Reach& why);
 
 /// Tries the turntable's angles and all branches for the path's first pose, and takes those with the greatest
 /// margin: the least distance (rad), along the whole path, of a joint from its limits and of joint 5 from 0,

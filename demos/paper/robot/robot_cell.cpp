@@ -5,8 +5,8 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "models/require.h"
 #include "octoblisk_bullet/clustered_octree_broadphase.h"
 #include "octoblisk_bullet/clustered_octree_shape.h"
 #include "octoblisk_bullet/convert.h"
@@ -20,9 +20,6 @@ constexpr double kGravity = 9810.0;     // mm/s²
 constexpr int kSolverIterations = 200;  // enough for six motors on one chain
 
 RobotCellSetup checked(RobotCellSetup setup) {
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw std::invalid_argument(message);
-  };
   require(setup.blisk != nullptr, "a robot cell needs a blisk");
   require(!setup.tool.empty(), "a robot cell needs a tool with at least one part");
   require(setup.tool_mass >= 0.0, "the tool's mass must be at least 0 kg");
@@ -137,10 +134,6 @@ RobotCell::RobotCell(RobotCellSetup setup)
 
 RobotCell::~RobotCell() = default;
 
-std::string RobotCell::nameOfBody(std::size_t body) const {
-  return body < kLinks ? "link " + std::to_string(body + 1) : setup_.tool[body - kLinks].name;
-}
-
 void RobotCell::place(const Joints& joints) { world_->arm().place(joints); }
 
 void RobotCell::drive(const Joints& from, const Joints& to, double seconds, int steps,
@@ -155,7 +148,6 @@ void RobotCell::drive(const Joints& from, const Joints& to, double seconds, int 
 }
 
 Joints RobotCell::joints() const { return world_->arm().joints(); }
-Joints RobotCell::rates() const { return world_->arm().rates(); }
 Pose RobotCell::linkFrame(std::size_t link) const { return world_->arm().linkFrame(link); }
 
 Pose RobotCell::toolInBlisk() const { return setup_.blisk_in_base.inverse() * world_->arm().toolInBase(); }

@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "grinding/grinding_cell.h"
@@ -62,7 +61,6 @@ class RobotCell {
   RobotCell& operator=(const RobotCell&) = delete;
 
   const RobotCellSetup& setup() const { return setup_; }
-  std::string nameOfBody(std::size_t body) const;
 
   /// Moves the arm to the joints, at rest.
   void place(const Joints& joints);
@@ -72,7 +70,6 @@ class RobotCell {
   void drive(const Joints& from, const Joints& to, double seconds, int steps, const Joints& encoder_error);
 
   Joints joints() const;
-  Joints rates() const;  ///< rad/s
 
   /// Frame 1 to 6 (index 0 to 5) in the base, as Bullet has it.
   Pose linkFrame(std::size_t link) const;

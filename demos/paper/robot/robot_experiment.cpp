@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
-#include <stdexcept>
 #include <utility>
 
+#include "models/require.h"
 #include "paper/robot/robot_noise.h"
+#include "paper/robot/robot_scene.h"
 #include "paper/robot/timed_path.h"
-#include "paper/robot/true_touch.h"
 
 namespace octoblisk::demos {
 namespace {
 
 void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw std::invalid_argument(message);
-  };
   require(scene.blisk != nullptr, "a robot's run needs a blisk");
   require(!scene.tool.empty(), "a robot's run needs a tool");
   require(!scene.clouds.empty(), "a robot's run needs clouds of the blisk's parts");
@@ -32,42 +28,26 @@ void requireUsable(const RobotScene& scene, const RobotRunOptions& options) {
           "standard deviations of noise must be at least 0");
 }
 
-/// Sums the answers of a method over the ticks.
-class Tally {
- public:
-  Tally(RobotMethodResult& result, double period, bool counts_forbidden) : result_(result), period_(period) {
-    if (counts_forbidden) result_.forbidden.emplace();
-  }
-
-  void add(const RobotAnswer& answer, const Touches& truth) {
-    const auto [clock, processor] = answer.taken;
-    result_.mean_seconds += processor;  // the sum, until finished
-    result_.worst_seconds = std::max(result_.worst_seconds, processor);
-    result_.worst_clock_seconds = std::max(result_.worst_clock_seconds, clock);
-    result_.late_ticks += clock > period_;
-    result_.touch.count(answer.touch, truth.belt);
-    if (result_.forbidden) result_.forbidden->count(answer.forbidden, truth.forbidden);
-  }
-
-  void finish(std::size_t ticks) { result_.mean_seconds /= static_cast<double>(ticks); }
-
- private:
-  RobotMethodResult& result_;
-  double period_;
-};
+void add(const RobotAnswer& answer, const Touches& truth, double period, RobotMethodResult& sum) {
+  const auto [clock, processor] = answer.taken;
+  sum.mean_seconds += processor;  // the sum, until finished
+  sum.worst_seconds = std::max(sum.worst_seconds, processor);
+  sum.worst_clock_seconds = std::max(sum.worst_clock_seconds, clock);
+  sum.late_ticks += clock > period;
+  sum.touch.count(answer.touch, truth.belt);
+  if (sum.forbidden) sum.forbidden->count(answer.forbidden, truth.forbidden);
+}
 
 double angleBetween(const Mat3& a, const Mat3& b) { return Eigen::AngleAxisd(a.transpose() * b).angle(); }
 
 RobotCellSetup setupOf(const RobotScene& scene, const CellLayout& layout, const SixAxisArm& arm,
                        const ServoOptions& servo) {
-  RobotCellSetup setup;
-  setup.arm = arm;
-  setup.servo = servo;
-  setup.blisk = scene.blisk;
-  setup.tool = scene.tool;
-  setup.blisk_in_base = layout.blisk_in_base;
-  setup.tool_in_flange = layout.tool_in_flange;
-  return setup;
+  return {.arm = arm,
+          .servo = servo,
+          .blisk = scene.blisk,
+          .tool = scene.tool,
+          .blisk_in_base = layout.blisk_in_base,
+          .tool_in_flange = layout.tool_in_flange};
 }
 
 /// Frames of the links in the blisk's frame, from Bullet.
@@ -87,8 +67,11 @@ double usualSeconds(const RobotRun& run, std::size_t method) {
 }
 
 void summarize(RobotRun& run) {
-  for (std::size_t m = 0; m < kRobotMethods; ++m) run.methods[m].usual_seconds = usualSeconds(run, m);
   const auto ticks = static_cast<double>(run.ticks.size());
+  for (std::size_t m = 0; m < kRobotMethods; ++m) {
+    run.methods[m].mean_seconds /= ticks;
+    run.methods[m].usual_seconds = usualSeconds(run, m);
+  }
   for (const RobotTick& tick : run.ticks) {
     run.mean_position_error += tick.position_error / ticks;
     run.worst_position_error = std::max(run.worst_position_error, tick.position_error);
@@ -120,8 +103,7 @@ class RobotLoop {
     run_.least_margin_to_limits = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < kRobotMethods; ++m) {
       run_.methods[m].range = methods_.range(static_cast<RobotMethod>(m));
-      tallies_.emplace_back(run_.methods[m], options.control_period,
-                            m >= static_cast<std::size_t>(RobotMethod::exact));
+      if (m >= static_cast<std::size_t>(RobotMethod::exact)) run_.methods[m].forbidden.emplace();
     }
   }
   RobotLoop(const RobotLoop&) = delete;
@@ -139,8 +121,6 @@ class RobotLoop {
       run_.ticks.push_back(tick);
       if (progress) progress(static_cast<double>(k + 1) / static_cast<double>(ticks));
     }
-    for (Tally& tally : tallies_) tally.finish(ticks);
-    for (const std::size_t link : links_hit_) run_.arm.links.push_back(cell_.nameOfBody(link));
     summarize(run_);
     return std::move(run_);
   }
@@ -186,12 +166,10 @@ class RobotLoop {
       const std::size_t m = (k + turn) % kRobotMethods;
       const auto method = static_cast<RobotMethod>(m);
       const RobotAnswer answer = methods_.ask(method, estimate);
-      tallies_[m].add(answer, touches);
+      add(answer, touches, options_.control_period, run_.methods[m]);
       tick.seconds[m] = static_cast<float>(answer.taken.processor);
       tick.alarm[m] = answer.touch;
-      if (method != RobotMethod::exact) continue;
-      run_.arm.ticks += !answer.links.empty();
-      links_hit_.insert(answer.links.begin(), answer.links.end());
+      if (method == RobotMethod::exact) run_.arm.ticks += answer.arm;
     }
   }
 
@@ -205,8 +183,6 @@ class RobotLoop {
   RobotNoise noise_;
   Joints commanded_, encoder_error_ = Joints::Zero();
   RobotRun run_;
-  std::vector<Tally> tallies_;
-  std::set<std::size_t> links_hit_;
 };
 
 }  // namespace

@@ -4,14 +4,12 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "paper/progress.h"
 #include "paper/robot/cell_layout.h"
 #include "paper/robot/robot_cell.h"
 #include "paper/robot/robot_methods.h"
-#include "paper/robot/robot_options.h"
 #include "paper/robot/robot_scene.h"
 
 namespace octoblisk::demos {
@@ -51,9 +49,8 @@ struct RobotTick {
 
 /// Collisions of the arm's own bodies with the blisk.
 struct ArmCollisions {
-  std::size_t ticks = 0;           ///< ticks at which Bullet finds one at the measured joints
-  std::size_t true_ticks = 0;      ///< by exact queries at the true joints
-  std::vector<std::string> links;  ///< links with collisions
+  std::size_t ticks = 0;       ///< ticks at which Bullet finds one at the measured joints
+  std::size_t true_ticks = 0;  ///< by exact queries at the true joints
 };
 
 struct RobotRun {

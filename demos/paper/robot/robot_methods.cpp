@@ -92,7 +92,7 @@ RobotAnswer RobotMethods::askBullet(const StateEstimate& estimate, double reach)
   answer.taken = watch.taken();
   for (const CellContact& contact : contacts) {
     if (contact.body < RobotCell::kLinks) {
-      answer.links.insert(contact.body);
+      answer.arm = true;
       continue;
     }
     const bool is_belt = contact.body == RobotCell::kLinks;

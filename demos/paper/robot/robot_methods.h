@@ -2,15 +2,27 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
 
 #include "octoblisk/types.h"
-#include "paper/paper_octrees.h"
 #include "paper/robot/robot_cell.h"
-#include "paper/robot/robot_options.h"
+#include "paper/robot/robot_noise.h"
 #include "paper/robot/robot_scene.h"
+#include "paper/segmentation.h"
 
 namespace octoblisk::demos {
+
+/// The options of a run of the robot.
+struct RobotRunOptions {
+  double control_period = 0.004;  ///< s: that of ABB's Externally Guided Motion
+  double speed = 20.0;            ///< of the contact wheel's centre along the path, mm/s; assumed
+  double turn_rate = 0.5;         ///< greatest, rad/s; assumed
+  int steps_per_tick = 4;         ///< of the Bullet world
+  double margin = 0.2;            ///< mm: the second exact method reports everything within this distance
+  int ground_blade = 1;           ///< the blade that the belt may touch
+  detail::KMeansOptions k_means;  ///< for each part, in the paper's method
+  std::size_t leaf_capacity = 2;  ///< in the paper's octrees (FNOP)
+  NoiseOptions noise;
+};
 
 /// All of them check the measured pose.
 enum class RobotMethod {
@@ -29,9 +41,9 @@ struct TimeTaken {
 
 /// The answer of a method at a tick.
 struct RobotAnswer {
-  bool touch = false;           ///< the belt touches the blisk
-  bool forbidden = false;       ///< there is a forbidden touch
-  std::set<std::size_t> links;  ///< links of the arm that touch the blisk
+  bool touch = false;      ///< the belt touches the blisk
+  bool forbidden = false;  ///< there is a forbidden touch
+  bool arm = false;        ///< a link of the arm touches the blisk
   TimeTaken taken;
 };
 

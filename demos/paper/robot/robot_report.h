@@ -1,6 +1,7 @@
 // The robot's runs for Table 4.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -42,5 +43,8 @@ struct RobotTotals {
 RobotTotals totalsOf(std::span<const RobotRun> runs, RobotMethod method);
 
 void to_json(nlohmann::json& json, const RobotReport& report);
+
+/// Draws the cell halfway along the first run. Throws as writePng.
+void drawRobotCell(const RobotReport& report, const RobotScene& scene, const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos
