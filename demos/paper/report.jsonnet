@@ -772,14 +772,10 @@ local robot = {
       },
       {
         local rowsOf(path, totals) = [
-          [
-            path,
-            method_names[m],
-            missed(totals[m]),
-            falseAlarms(totals[m]),
-            if m < method.exact then '–' else part(totals[m].wrong.missed, totals[m].forbidden),
-            if m < method.exact then '–'
-            else part(totals[m].wrong.false_alarms, totals[m].ticks - totals[m].forbidden),
+          [path, method_names[m], missed(totals[m]), falseAlarms(totals[m])] +
+          if m < method.exact then ['–', '–'] else [
+            part(totals[m].wrong.missed, totals[m].forbidden),
+            part(totals[m].wrong.false_alarms, totals[m].ticks - totals[m].forbidden),
           ]
           for m in std.range(0, 4)
         ],
@@ -880,48 +876,41 @@ local robot = {
         ],
       },
     ],
+    local plots = table4.plots,
+    local stretches = paragraph(|||
+      of the first run: the greatest value in each of at most %d intervals of time.
+    |||, plots.most_stretches),
+    local line(title, y) = { name: title, x: plots.time, y: y, style: 'line' },
+    local timeLine(title, m) = line(title, [1e3 * seconds for seconds in plots.seconds[m]]),
+    local period = 1e3 * options.control_period,
     figures: [
       {
-        local plots = table4.plots,
-        local stretches = paragraph(|||
-          of the first run: the greatest value in each of at most %d intervals of time.
-        |||, plots.most_stretches),
-        local line(title, y) = { name: title, x: plots.time, y: y, style: 'line' },
-        local milliseconds(m) = [1e3 * seconds for seconds in plots.seconds[m]],
-        local period = 1e3 * options.control_period,
-        errors: {
-          file: 'table4_errors.svg',
-          caption: paragraph(|||
-            Distance of the wheel's centre from its target (tracking) and of the measured centre from the true one
-            (sensing), %s
-          |||, stretches),
-          plot: {
-            title: 'Errors of the simulated robot along the path', x_label: 'time (s)',
-            y_label: "error of the contact wheel's centre (mm)",
-            series: [line('tracking', plots.tracking), line('sensing', plots.sensing)],
-          },
+        file: 'table4_errors.svg',
+        caption: paragraph(|||
+          Distance of the wheel's centre from its target (tracking) and of the measured centre from the true one
+          (sensing), %s
+        |||, stretches),
+        plot: {
+          title: 'Errors of the simulated robot along the path', x_label: 'time (s)',
+          y_label: "error of the contact wheel's centre (mm)",
+          series: [line('tracking', plots.tracking), line('sensing', plots.sensing)],
         },
-        times: {
-          file: 'table4_times.svg',
-          caption: 'Detection times in processor time; "contacts" are all those in Bullet, ' + stretches,
-          plot: {
-            title: 'Detection time per tick',
-            x_label: 'time along the path (s)',
-            y_label: 'detection time (ms)',
-            y_log: true,
-            series: [
-              { name: 'control period', x: [0, plots.end], y: [period, period], style: 'dashed_line' },
-              line('traditional', milliseconds(method.traditional)), line('improved', milliseconds(method.improved)),
-              line('exact, yes or no', milliseconds(method.yes_or_no)),
-              line('exact, contacts', milliseconds(method.exact)), line('with margin', milliseconds(method.margin)),
-            ],
-          },
+      },
+      {
+        file: 'table4_times.svg',
+        caption: 'Detection times in processor time; "contacts" are all those in Bullet, ' + stretches,
+        plot: {
+          title: 'Detection time per tick', x_label: 'time along the path (s)', y_label: 'detection time (ms)',
+          y_log: true,
+          series: [
+            { name: 'control period', x: [0, plots.end], y: [period, period], style: 'dashed_line' },
+            timeLine('traditional', method.traditional), timeLine('improved', method.improved),
+            timeLine('exact, yes or no', method.yes_or_no), timeLine('exact, contacts', method.exact),
+            timeLine('with margin', method.margin),
+          ],
         },
-        cell: {
-          file: 'table4_cell.png', caption: 'The cell in Bullet: arm, grinder and blisk (fig. 11b of the paper).',
-        },
-      }[figure]
-      for figure in ['errors', 'times', 'cell']
+      },
+      { file: 'table4_cell.png', caption: 'The cell in Bullet: arm, grinder and blisk (fig. 11b of the paper).' },
     ],
   },
   claims: seedsClaims('Table 4', table4.seeds, published.table4),
