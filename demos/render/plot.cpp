@@ -1,7 +1,12 @@
 #include "render/plot.h"
 
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -9,9 +14,12 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "base/file.h"
 #include "io/new_file.h"
+
+extern char** environ;
 
 namespace octoblisk::demos {
 
@@ -55,8 +63,16 @@ std::string styleOf(SeriesStyle style) {
 
 std::string restOf(std::FILE* file) {
   std::string text;
-  for (int byte = std::getc(file); byte != EOF; byte = std::getc(file)) text += static_cast<char>(byte);
-  return text;
+  for (;;) {
+    const int byte = std::getc(file);
+    if (byte != EOF) {
+      text += static_cast<char>(byte);
+    } else if (std::ferror(file) != 0 && errno == EINTR) {
+      std::clearerr(file);
+    } else {
+      return text;
+    }
+  }
 }
 
 struct Answer {
@@ -65,26 +81,46 @@ struct Answer {
   std::string words;  ///< its standard error
 };
 
-/// Runs gnuplot on the script, by the shell. The script and gnuplot's words are in nameless files.
-Answer runGnuplot(const std::string& script) {
-  constexpr int kNotFound = 127, kNotRun = 126;  // of the shell
+/// Runs gnuplot on the script. The script is sent through a socket, not a pipe: if gnuplot has failed,
+/// sending then gives an error instead of a signal. No file takes part, so a full disk does not matter.
+Answer runGnuplot(std::string_view script) {
   const auto refuse = [](int error) {
     throw std::runtime_error(std::string("gnuplot cannot be started (is it installed?): ") +
                              std::strerror(error));
   };
-  const OpenFile input = openTemporary(), words = openTemporary();
-  if (!input || !words || std::fputs(script.c_str(), input.get()) < 0 || std::fflush(input.get()) != 0) {
-    refuse(errno);
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(errno);
+  const OpenFile ours(::fdopen(ends[0], "rb"));
+  OpenFile its(::fdopen(ends[1], "rb"));
+  const OpenFile words(::fdopen(::memfd_create("gnuplot", MFD_CLOEXEC), "rb"));
+  if (!words) refuse(errno);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const int stream : {0, 1}) ::posix_spawn_file_actions_adddup2(&actions, ends[1], stream);
+  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(words.get()), 2);
+  std::string name = "gnuplot";
+  std::array<char*, 2> arguments = {name.data(), nullptr};
+  pid_t process = 0;
+  const int failure = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (failure == ENOENT) throw std::runtime_error(kMissing);
+  if (failure != 0) refuse(failure);
+  its.reset();
+
+  // gnuplot draws at the script's last line, so it never waits for its answer to be read before then.
+  while (!script.empty()) {
+    const ssize_t sent = ::send(ends[0], script.data(), script.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR) break;  // gnuplot has failed; its words say why
+    script.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
   }
-  const auto nameOf = [](const OpenFile& file) { return "/dev/fd/" + std::to_string(::fileno(file.get())); };
-  std::FILE* const pipe = ::popen(("gnuplot <" + nameOf(input) + " 2>" + nameOf(words)).c_str(), "r");
-  if (!pipe) refuse(errno);
+  ::shutdown(ends[0], SHUT_WR);
   Answer answer;
-  answer.drawn = restOf(pipe);
-  const int status = ::pclose(pipe);
+  answer.drawn = restOf(ours.get());
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
   answer.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  if (answer.exit_code == kNotFound) throw std::runtime_error(kMissing);
-  if (answer.exit_code == kNotRun) refuse(EACCES);
+  std::rewind(words.get());  // gnuplot has moved the position that both share
   answer.words = restOf(words.get());
   return answer;
 }
