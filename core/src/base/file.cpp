@@ -17,7 +17,6 @@
 #include <unistd.h>
 #endif
 
-#include <array>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -75,17 +74,6 @@ OpenFile openStream(int stream) {
   return OpenFile(::_fdopen(::_dup(stream), "wb"));
 }
 
-OpenFile openTemporary() {
-  std::array<wchar_t, MAX_PATH + 1> folder = {}, file = {};
-  if (::GetTempPathW(folder.size(), folder.data()) == 0 ||
-      ::GetTempFileNameW(folder.data(), L"oct", 0, file.data()) == 0) {
-    setErrno();
-    return {};
-  }
-  return opened(::CreateFileW(file.data(), GENERIC_READ | GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS,
-                              FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, nullptr));
-}
-
 OpenFile openLocked(const std::filesystem::path& file, bool& is_locked) {
   const HANDLE handle =
       ::CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr,
@@ -138,8 +126,6 @@ OpenFile openFile(const std::filesystem::path& file, const char* mode) {
 OpenFile createFile(const std::filesystem::path& file) { return OpenFile(std::fopen(file.c_str(), "wbx")); }
 
 OpenFile openStream(int stream) { return OpenFile(::fdopen(::dup(stream), "wb")); }
-
-OpenFile openTemporary() { return OpenFile(std::tmpfile()); }
 
 OpenFile openLocked(const std::filesystem::path& file, bool& is_locked) {
   is_locked = false;

@@ -26,9 +26,6 @@ OpenFile createFile(const std::filesystem::path& file);
 /// Opens standard output (1) or standard error (2) again, to write bytes.
 OpenFile openStream(int stream);
 
-/// Opens a nameless file, which vanishes when it is closed.
-OpenFile openTemporary();
-
 /// Opens or creates a file for reading and writing, and locks it until it is closed. `is_locked`: returns
 /// whether another process has locked it. On file systems without locks, the lock is skipped.
 OpenFile openLocked(const std::filesystem::path& file, bool& is_locked);
