@@ -7,8 +7,9 @@
 
 namespace octoblisk::demos {
 
-/// What the first lines of a file seem to be, with an article: G-code, or a program of Heidenhain, KUKA, ABB
-/// or FANUC; none if they seem to be none of these. Throws std::runtime_error if the file cannot be read.
+/// Names the kind of program that a file seems to be: G-code, or a program for Heidenhain, KUKA, ABB or
+/// FANUC. None if its first lines look like none of these. Throws std::runtime_error if the file cannot be
+/// read.
 std::optional<std::string_view> machineProgramIn(const std::filesystem::path& file);
 
 }  // namespace octoblisk::demos

@@ -50,7 +50,7 @@ std::optional<MeshSource> sourceOf(const btCollisionShape& shape) {
   return std::nullopt;
 }
 
-/// Why a mesh is left as it is; null if it is not, or if the shape is no mesh.
+/// Why a mesh of Bullet stays; null if it can be replaced, or if the shape is no mesh.
 const char* whyLeft(const btCollisionShape& shape) {
   if (dynamic_cast<const btMultimaterialTriangleMeshShape*>(&shape))
     return "btMultimaterialTriangleMeshShape: its materials are found by its type";
@@ -62,9 +62,9 @@ const char* whyLeft(const btCollisionShape& shape) {
 }
 
 /// Whether the inertia of a body is that of its shape up to rounding.
-bool hasInertiaOf(const btCollisionShape& shape, const btRigidBody& body, btScalar mass) {
+bool hasInertiaOf(const btCollisionShape& shape, const btRigidBody& body) {
   btVector3 computed;
-  shape.calculateLocalInertia(mass, computed);
+  shape.calculateLocalInertia(body.getMass(), computed);
   const btVector3 difference = (computed - body.getLocalInertia()).absolute();
   return difference[difference.maxAxis()] <= btScalar(1e-4) * computed[computed.maxAxis()];
 }
@@ -193,7 +193,7 @@ class AdoptedMeshes::Adoption {
     return {is_replaced, !is_replaced && shape.isNonMoving()};
   }
 
-  /// Null if there is none.
+  /// The shape that replaces this one; null if it stays.
   btCollisionShape* replacementOf(const btCollisionShape* shape) const {
     const auto found = replacement_.find(shape);
     return found == replacement_.end() ? nullptr : found->second;
@@ -245,11 +245,11 @@ class AdoptedMeshes::Adoption {
     world_.updateSingleAabb(&object);
   }
 
-  /// Keeps the inertia of a dynamic body if its mesh, which will be replaced, computed it.
+  /// Notes the inertia of a dynamic body if the mesh that will be replaced computed it.
   void noteInertia(btRigidBody& body) {
-    const btCollisionShape& shape = *body.getCollisionShape();
-    if (body.isStaticOrKinematicObject() || !replacementOf(body.getCollisionShape())) return;
-    if (hasInertiaOf(shape, body, body.getMass())) inertias_.emplace_back(&body, body.getLocalInertia());
+    const btCollisionShape* const mesh = body.getCollisionShape();
+    if (body.isStaticOrKinematicObject() || !replacementOf(mesh)) return;
+    if (hasInertiaOf(*mesh, body)) inertias_.emplace_back(&body, body.getLocalInertia());
   }
 
   static void setMass(btRigidBody& body, btScalar mass, const btVector3& inertia) {

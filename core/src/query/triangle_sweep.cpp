@@ -10,7 +10,7 @@ namespace octoblisk::detail {
 std::optional<TriangleImpact> sweep(const Triangle& triangle, const Convex& b, const Motion& b_in_a,
                                     double distance, double tolerance, double until) {
   // A step leaves half of the way to a grazing impact, and little of the way to any other if B does not turn.
-  // If it turns, the bound on its speed may be far above its speed. The impact is then found too early.
+  // If it turns, the bound on its speed may be far above its speed: then the impact may be found too early.
   constexpr int kMaxSteps = 1000;
   const double turning = b_in_a.angle() * BodyBounds(b).distanceFromPoint(b_in_a.centerInB());
   const bool is_at_rest = b_in_a.advance().isZero(0.0) && turning == 0.0;

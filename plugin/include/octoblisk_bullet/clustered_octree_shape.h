@@ -140,7 +140,8 @@ ClusteredOctreeShape final : public btConcaveShape {
   detail::SolidMesh solid() const;
 
   /// Calls back once for every triangle that meets the box, in the shape's frame, and for some others nearby.
-  /// Callbacks of Bullet's ray tests and convex sweeps receive only the triangles along their path.
+  /// A callback of Bullet's ray tests receives only the triangles along the ray. A callback of its convex
+  /// sweeps receives exact hits instead of triangles.
   void processAllTriangles(btTriangleCallback * callback, const btVector3& aabb_min,
                            const btVector3& aabb_max) const override;
 
