@@ -6,6 +6,6 @@ int main(int argc, char** argv) {
   using namespace octoblisk::demos;
   return runCommandLine(
       argc, argv, OCTOBLISK_VERSION,
-      {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addMakeCommand,
+      {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addPlanCommand, addMakeCommand,
        addCheckCommand, addInspectCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
 }

@@ -16,6 +16,7 @@ void addMakeCommand(CLI::App& app, int& exit_code);
 void addMergeCommand(CLI::App& app, int& exit_code);
 void addPaperCommand(CLI::App& app, int& exit_code);
 void addPathCommand(CLI::App& app, int& exit_code);
+void addPlanCommand(CLI::App& app, int& exit_code);
 void addRepairCommand(CLI::App& app, int& exit_code);
 
 }  // namespace octoblisk::demos

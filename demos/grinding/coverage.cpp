@@ -41,18 +41,6 @@ double lengthOf(const std::vector<Vec3>& line) {
   return length;
 }
 
-SideGrid gridOver(const BladeContours& contours, BladeSide side) {
-  const SideGrid coarse(contours, side, 8, 8);
-  std::vector<Vec3> up, along;
-  for (std::size_t k = 0; k < 8; ++k) {
-    up.push_back(coarse.middleOf(8 * k + 4).position);
-    along.push_back(coarse.middleOf(8 * 4 + k).position);
-  }
-  constexpr double kWhole = 8.0 / 7.0;  // of the distance between the first centre and the last
-  return SideGrid(contours, side, linesOver(kWhole * lengthOf(up), kCellHeight),
-                  linesOver(kWhole * lengthOf(along), kCellWidth));
-}
-
 /// A place of the part, and the pose nearest to it.
 struct Place {
   Pose part_in_blisk;
@@ -208,6 +196,18 @@ std::array<std::size_t, 2> touchesOfSides(const GrindingJob& job, std::span<cons
 }
 
 }  // namespace
+
+SideGrid gridOver(const BladeContours& contours, BladeSide side) {
+  const SideGrid coarse(contours, side, 8, 8);
+  std::vector<Vec3> up, along;
+  for (std::size_t k = 0; k < 8; ++k) {
+    up.push_back(coarse.middleOf(8 * k + 4).position);
+    along.push_back(coarse.middleOf(8 * 4 + k).position);
+  }
+  constexpr double kWhole = 8.0 / 7.0;  // of the distance between the first centre and the last
+  return SideGrid(contours, side, linesOver(kWhole * lengthOf(up), kCellHeight),
+                  linesOver(kWhole * lengthOf(along), kCellWidth));
+}
 
 double Coverage::groundShare() const {
   double ground = 0.0, all = 0.0;

@@ -52,6 +52,9 @@ struct Coverage {
   double scallopHeight() const;
 };
 
+/// The cells of a coverage over a side.
+SideGrid gridOver(const BladeContours& contours, BladeSide side);
+
 /// Every pose and every motion of the path counts, whatever its verdict. `threads` as in parallelFor;
 /// the result does not depend on it.
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,

@@ -65,6 +65,7 @@ class Judge {
   const ClusteredOctree& blisk() const { return *blisk_; }
   const std::vector<ToolPart>& parts() const { return parts_; }
   const VerdictRules& rules() const { return rules_; }
+  int threads() const { return threads_; }
   const Obstacles& obstacles() const { return obstacles_; }
   /// The body of each triangle of the surroundings. The blisk's triangles come first.
   std::span<const int> bodyOfTriangle() const { return obstacles_.bodyOfTriangle(); }

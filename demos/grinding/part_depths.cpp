@@ -150,7 +150,8 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
                           std::optional<std::uint32_t>& deep_corner, std::size_t thread) {
   const double limit = limits_[part];
   if (blisk_surface_.role(touch.a) == TriangleRole::sheet) return true;
-  if (staysWithin(part, tool_in_blisk, touch.a)) return false;
+  // A lift proves nothing where a surface does not bound a solid.
+  if (blisk_surface_.isWhole() && staysWithin(part, tool_in_blisk, touch.a)) return false;
   const double beyond = limit + toleranceFor(limit);
   if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
   if (const auto corner = cornerBeyond(part, tool_in_blisk, touch.b, beyond)) {

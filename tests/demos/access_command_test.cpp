@@ -122,7 +122,7 @@ TEST_F(AccessCommand, badInputIsOneLineThatNamesItAndWritesNothing) {
   const std::pair<const char*, const char*> cases[] = {
       {"--blisk missing.stl --out run", "missing.stl"},
       {"--tool tool/more.json --out run",
-       "tool/more.json: allowed[0]: access and repair allow only one part to touch"},
+       "tool/more.json: allowed[0]: access, plan and repair allow only one part to touch"},
       {"--tool tool/none.json --out run", "tool/none.json: no such file"},
       {"--axis 1,2 --out run", "--axis: '1,2' is neither a direction"},
       {"--path short.csv --out run", "short.csv:2"},
