@@ -121,7 +121,7 @@ std::vector<ToolMotion> motionsOf(const SidePlan& plan, double feed) {
 
 std::string rowsOf(const PlannedSide& planned) {
   std::ostringstream rows;
-  for (const Setup& setup : planned.plan.setups) {
+  for (const PlannedSetup& setup : planned.plan.setups) {
     rows << planned.coverage.blade << ',' << planned.coverage.side << ',' << setup.posture.lead << ','
          << setup.posture.tilt << ',' << setup.posture.slide << ',' << setup.runs << ',' << setup.poses << ','
          << 100.0 * setup.ground << '\n';

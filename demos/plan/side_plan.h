@@ -22,7 +22,7 @@ struct PlanOptions {
 };
 
 /// The passes of the tool in one posture.
-struct Setup {
+struct PlannedSetup {
   ToolPosture posture;
   std::size_t runs = 0, poses = 0;
   double ground = 0.0;  ///< the share of the side's area that earlier setups left and this one grinds
@@ -37,7 +37,7 @@ struct UnreachedArea {
 struct SidePlan {
   std::vector<Pose> path;                ///< the tool in the blisk's mesh, from home to home
   std::vector<bool> grinds;              ///< per pose: whether it is a contact; the others are links
-  std::vector<Setup> setups;             ///< in the order of the path
+  std::vector<PlannedSetup> setups;      ///< in the order of the path
   std::vector<GroundPoint> points;       ///< per cell of the grid
   std::vector<UnreachedArea> unreached;  ///< the largest first
   bool is_partial = false;               ///< stopped: more might be ground

@@ -89,6 +89,35 @@ TEST(Judge, callsFreeWhatGrindDoesNotCallInterference) {
   }
 }
 
+TEST(Judge, callsFreeWhatGrindCallsKnownAndAllowedBesideHoles) {
+  const TriangleMesh closed = embeddedBlisk();
+  const BladesFound whole = findBlades(closed);
+  std::mt19937 random(5);
+  std::vector<TriangleMesh::Indices> kept;
+  for (std::size_t t = 0; t < closed.triangleCount(); ++t) {
+    if (whole.blade_of_triangle[t] != 1 || random() % 6 != 0) kept.push_back(closed.triangles()[t]);
+  }
+  const auto blisk = treeOf(TriangleMesh(closed.vertices(), std::move(kept)));
+  const BladesFound blades = findBlades(blisk->mesh());
+  const std::vector<ToolPart> parts = defaultGrinder();
+  const VerdictRules rules{.near_miss = 0.0};
+  std::vector<Pose> poses;
+  for (const double depth : {0.02, 0.08, 0.12}) {
+    const auto path = makeGrindingPath(closed, whole, {.depth = depth});
+    for (std::size_t i = 20; i + 20 < path.size(); i += 2) poses.push_back(path[i]);
+  }
+  const auto reports = judgedByGrind(blisk, parts, blades, poses, rules);
+  const auto states = Judge(blisk, parts, blades.blade_of_triangle, rules).statesOf(poses);
+  std::size_t free = 0, unknown = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(!states[i].obstacle, reports[i].verdict < Verdict::unknown) << "pose " << i;
+    free += !states[i].obstacle;
+    unknown += reports[i].verdict == Verdict::unknown;
+  }
+  EXPECT_GT(free, 20u);
+  EXPECT_GT(unknown, 20u);
+}
+
 /// Without the triangles of the bore.
 TriangleMesh boreCutOpen(const TriangleMesh& blisk) {
   const auto radius = [](const Vec3& point) { return std::hypot(point.x(), point.y()); };
