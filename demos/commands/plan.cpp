@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line/blisk_options.h"
@@ -33,6 +35,7 @@ struct PlanRequest {
   std::string convex;  // empty: found
   std::string side = "both";
   bool all_blades = false;
+  std::vector<std::string> next_tools;  // files
   std::string format = "csv";
   double feed = 1000.0;                               // mm/min
   std::optional<double> depth, scallop, chord_error;  // mm; empty: parts of the depth limit
@@ -63,29 +66,37 @@ PlanOptions optionsOf(const PlanRequest& request, double max_depth) {
   return options;
 }
 
-/// What all sides have in common.
+/// The blisk with one of the tools.
 class BliskPlan {
  public:
-  BliskPlan(const PlanRequest& request, const GrinderInput& input)
-      : request_(request), input_(input), blisk_(moved(input.blisk->mesh(), input.mesh_in_blisk)) {
-    const std::string name = request.files.bliskName();
-    if (input.blades.count == 0) throw std::invalid_argument(name + ": no blades were found: check --axis");
-    sides_ = findBladeSides(blisk_, input.blades);
-    convex_ = convexSideOf(request.convex, input);
+  BliskPlan(const PlanRequest& request, GrinderFiles files)
+      : files_(std::move(files)),
+        input_(readGrinder(files_)),
+        blisk_(moved(input_.blisk->mesh(), input_.mesh_in_blisk)) {
+    const std::string name = files_.bliskName();
+    if (input_.blades.count == 0) throw std::invalid_argument(name + ": no blades were found: check --axis");
+    sides_ = findBladeSides(blisk_, input_.blades);
+    convex_ = convexSideOf(request.convex, input_);
     if (!convex_) throw std::runtime_error(name + ": the convex side is unknown: give it with --convex");
-  }
-
-  PlannedSide plan(int blade, const std::string& side, TerminalWatch& terminal) const {
-    const VerdictRules rules = reachRulesOf(request_.files, input_, blade, 0.0);
-    const ClusteredOctree& belt = *input_.tool.parts[rules.grinding_part].tree;
-    const WheelSize wheel = wheelOf(belt);
-    if (wheel.radius <= 0.0) {
-      throw std::invalid_argument(request_.files.toolName() +
+    rules_ = reachRulesOf(files_, input_, 0, 0.0);
+    const ClusteredOctree& belt = *input_.tool.parts[rules_.grinding_part].tree;
+    wheel_ = wheelOf(belt);
+    if (wheel_.radius <= 0.0) {
+      throw std::invalid_argument(files_.toolName() +
                                   ": the belt has no contact wheel at the origin, on its -x side");
     }
-    Judge judge(input_.blisk, input_.tool.parts, input_.blades.blade_of_triangle, rules,
-                request_.files.threads, input_.fixtures);
-    const WheelSeat seat(input_.blisk->mesh(), sides_.blade_of_triangle, blade, wheel.radius, wheel.width);
+    options_ = optionsOf(request, rules_.max_depth);
+  }
+
+  const GrinderInput& input() const { return input_; }
+
+  PlannedSide plan(int blade, const std::string& side, const GroundBefore& before,
+                   TerminalWatch& terminal) const {
+    VerdictRules rules = rules_;
+    rules.ground_blade = blade;
+    Judge judge(input_.blisk, input_.tool.parts, input_.blades.blade_of_triangle, rules, files_.threads,
+                input_.fixtures);
+    const WheelSeat seat(input_.blisk->mesh(), sides_.blade_of_triangle, blade, wheel_.radius, wheel_.width);
     const bool is_forward = (side == "convex") == (*convex_ == BladeSide::forward);
     PlannedSide planned{.plan = {},
                         .coverage = {.blade = blade,
@@ -95,22 +106,25 @@ class BliskPlan {
                                      .mesh_in_blisk = input_.mesh_in_blisk,
                                      .max_depth = rules.max_depth,
                                      .points = {}}};
-    planned.plan = planSide(judge, planned.coverage.grid, input_.mesh_in_blisk, seat,
-                            optionsOf(request_, rules.max_depth), terminal.watch());
+    planned.plan = planSide(judge, planned.coverage.grid, input_.mesh_in_blisk, seat, options_, before,
+                            terminal.watch());
     planned.coverage.points = planned.plan.points;
     terminal.endTask();
     return planned;
   }
 
  private:
-  const PlanRequest& request_;
-  const GrinderInput& input_;
+  GrinderFiles files_;
+  GrinderInput input_;
   TriangleMesh blisk_;  // about the Z axis
   BladeSides sides_;
   std::optional<BladeSide> convex_;
+  VerdictRules rules_;  // without the ground blade
+  WheelSize wheel_;
+  PlanOptions options_;
 };
 
-/// The rapid motions of a path are the links, without the last one down to a contact.
+/// Links are rapid, except the motion that leads down to a contact.
 std::vector<ToolMotion> motionsOf(const SidePlan& plan, double feed) {
   std::vector<ToolMotion> motions;
   for (std::size_t p = 0; p < plan.path.size(); ++p) {
@@ -119,21 +133,25 @@ std::vector<ToolMotion> motionsOf(const SidePlan& plan, double feed) {
   return motions;
 }
 
-std::string rowsOf(const PlannedSide& planned) {
+std::string rowsOf(const std::string& path, const PlannedSide& planned) {
   std::ostringstream rows;
   for (const PlannedSetup& setup : planned.plan.setups) {
-    rows << planned.coverage.blade << ',' << planned.coverage.side << ',' << setup.posture.lead << ','
-         << setup.posture.tilt << ',' << setup.posture.slide << ',' << setup.runs << ',' << setup.poses << ','
-         << 100.0 * setup.ground << '\n';
+    rows << path << ',' << setup.posture.lead << ',' << setup.posture.tilt << ',' << setup.posture.slide
+         << ',' << setup.runs << ',' << setup.poses << ',' << 100.0 * setup.ground << '\n';
   }
   return rows.str();
 }
 
 void print(const PlannedSide& planned, const GrinderInput& input, const std::string& path) {
   const SidePlan& plan = planned.plan;
-  std::cout << path << ": " << countedText(plan.path.size(), "pose", "poses") << " in "
-            << countedText(plan.setups.size(), "setup", "setups") << '\n'
-            << summaryText(planned.coverage, planned.coverage.blade) << '\n';
+  std::cout << path << ": ";
+  if (plan.path.empty()) {
+    std::cout << "not written: the tool grinds nothing here\n";
+  } else {
+    std::cout << countedText(plan.path.size(), "pose", "poses") << " in "
+              << countedText(plan.setups.size(), "setup", "setups") << '\n';
+  }
+  std::cout << summaryText(planned.coverage, planned.coverage.blade) << '\n';
   constexpr double kWorthALine = 5e-4;  // 0.1 %, rounded
   for (const UnreachedArea& area : plan.unreached) {
     if (area.share < kWorthALine) continue;
@@ -144,51 +162,79 @@ void print(const PlannedSide& planned, const GrinderInput& input, const std::str
   }
 }
 
-int plan(const PlanRequest& request) {
-  const GrinderFiles& files = request.files;
-  requireNotRead(files, {"setups.csv"});
-  const GrinderInput input = readGrinder(files);
-  const BliskPlan blisk(request, input);
-  const std::filesystem::path out = files.out;
-  makeFolder(out);
-  warnOfInput(files, input);
-  TerminalWatch terminal(1000);
-  std::vector<int> blades = {files.ground_blade.value_or(1)};
-  if (request.all_blades) {
-    blades.clear();
-    for (int blade = 1; blade <= input.blades.count; ++blade) blades.push_back(blade);
+/// The planner of each tool, in order.
+std::vector<std::unique_ptr<BliskPlan>> plannersOf(const PlanRequest& request) {
+  std::vector<std::unique_ptr<BliskPlan>> planners;
+  planners.push_back(std::make_unique<BliskPlan>(request, request.files));
+  for (const std::string& tool : request.next_tools) {
+    GrinderFiles files = request.files;
+    files.tool = tool;
+    files.belt.clear();
+    planners.push_back(std::make_unique<BliskPlan>(request, std::move(files)));
   }
-  const std::vector<std::string> sides = request.side == "both"
-                                             ? std::vector<std::string>{"convex", "concave"}
-                                             : std::vector<std::string>{request.side};
-  std::string setups = "blade,side,lead_deg,tilt_deg,slide_mm,runs,poses,ground_percent\n";
-  bool any_left_out = false;
+  return planners;
+}
+
+class PlanFiles {
+ public:
+  explicit PlanFiles(const PlanRequest& request) : request_(request), out_(request.files.out) {}
+
+  /// Writes the files of a side, and the table of all setups so far.
+  void write(const std::string& name, const PlannedSide& planned) {
+    WholeFiles whole;
+    const std::string path = nameOfPath(name);
+    setups_ += rowsOf(path, planned);
+    const std::vector<ToolMotion> motions = motionsOf(planned.plan, request_.feed);
+    if (!motions.empty() && request_.format == "apt") writeClFile(whole.add(out_ / path), motions);
+    if (!motions.empty() && request_.format == "csv") writeMotions(whole.add(out_ / path), motions);
+    writeCoverage(planned.coverage, whole.add(out_ / (name + "-coverage.csv")));
+    writePng(coveragePicture(planned.coverage), whole.add(out_ / (name + "-coverage.png")).string());
+    writeFile(whole.add(out_ / "setups.csv"), setups_);
+    whole.finish();
+  }
+
+  std::string nameOfPath(const std::string& name) const { return name + '.' + request_.format; }
+
+ private:
+  const PlanRequest& request_;
+  const std::filesystem::path out_;
+  std::string setups_ = "path,lead_deg,tilt_deg,slide_mm,runs,poses,ground_percent\n";
+};
+
+int plan(const PlanRequest& request) {
+  const auto planners = plannersOf(request);
+  const GrinderInput& input = planners.front()->input();
+  makeFolder(request.files.out);
+  warnOfInput(request.files, input);
+  TerminalWatch terminal(1000);
+  std::vector<int> blades = {request.files.ground_blade.value_or(1)};
+  if (request.all_blades) {
+    blades.resize(static_cast<std::size_t>(input.blades.count));
+    std::iota(blades.begin(), blades.end(), 1);
+  }
+  std::vector<std::string> sides = {request.side};
+  if (request.side == "both") sides = {"convex", "concave"};
+  PlanFiles files(request);
+  std::size_t empty_paths = 0;
   for (const int blade : blades) {
     for (const std::string& side : sides) {
-      const PlannedSide planned = blisk.plan(blade, side, terminal);
-      setups += rowsOf(planned);
-      const std::string name = "blade-" + std::to_string(blade) + "-" + side;
-      WholeFiles whole;
-      const std::filesystem::path path = out / (name + "." + request.format);
-      if (planned.plan.path.empty()) {
-        std::cout << name << ": the tool can grind no part of the side\n";
-        any_left_out = true;
-      } else if (request.format == "apt") {
-        writeClFile(whole.add(path), motionsOf(planned.plan, request.feed));
-      } else {
-        writeMotions(whole.add(path), motionsOf(planned.plan, request.feed));
-      }
-      writeCoverage(planned.coverage, whole.add(out / (name + "-coverage.csv")));
-      writePng(coveragePicture(planned.coverage), whole.add(out / (name + "-coverage.png")).string());
-      writeFile(whole.add(out / "setups.csv"), setups);
-      whole.finish();
-      print(planned, input, path.string());
-      if (planned.plan.is_partial) {
-        throw TerminalWatch::stopped("stopped: " + path.string() + " has the setups planned so far");
+      GroundBefore before;
+      for (std::size_t tool = 0; tool < planners.size(); ++tool) {
+        const std::string name = "blade-" + std::to_string(blade) + '-' + side +
+                                 (tool == 0 ? std::string() : "-tool-" + std::to_string(tool + 1));
+        const PlannedSide planned = planners[tool]->plan(blade, side, before, terminal);
+        files.write(name, planned);
+        print(planned, planners[tool]->input(),
+              (std::filesystem::path(request.files.out) / files.nameOfPath(name)).string());
+        if (planned.plan.is_partial) {
+          throw TerminalWatch::stopped("stopped: " + request.files.out + " has the setups planned so far");
+        }
+        before = {planned.plan.points, before.poses + planned.plan.path.size()};
+        empty_paths += planned.plan.path.empty();
       }
     }
   }
-  return any_left_out ? 1 : 0;
+  return empty_paths == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -201,6 +247,9 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
   addChoice(command, "--side", request->side, {"convex", "concave", "both"}, "Side of the blade to grind");
   command.add_flag("--all-blades", request->all_blades, "Plan a path for each blade of the blisk")
       ->excludes(command.get_option("--ground-blade"));
+  addOption(command, "--next-tool", request->next_tools, "FILE", notEmpty(),
+            "JSON file of a tool that grinds what the tools before it leave; may be repeated")
+      ->allow_extra_args(false);
   addChoice(command, "--format", request->format, {"csv", "apt"},
             "csv: tables of poses with feeds; apt: CL files");
   addOption(command, "--feed", request->feed, "MM/MIN", numberFrom(0.0, 1e9, true),

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -43,12 +44,13 @@ SurfaceGrid surfaceOf(const SideGrid& grid, const Pose& mesh_in_blisk) {
 class Planner {
  public:
   Planner(Judge& judge, const SideGrid& grid, const Pose& mesh_in_blisk, const WheelSeat& seat,
-          const PlanOptions& options, const RunWatch& watch)
+          const PlanOptions& options, const GroundBefore& before, const RunWatch& watch)
       : judge_(judge),
         grid_(grid),
         mesh_in_blisk_(mesh_in_blisk),
         seat_(seat),
         options_(options),
+        poses_before_(before.poses),
         watch_(watch),
         belt_(*judge.parts()[judge.rules().grinding_part].tree),
         wheel_(wheelOf(belt_)),
@@ -57,13 +59,12 @@ class Planner {
         postures_(posturesOf(wheel_.width)),
         uses_(postures_.size()) {
     for (std::size_t cell = 0; cell < grid.size(); ++cell) area_ += grid.areaOf(cell);
+    plan_.points = before.points;
     plan_.points.resize(grid.size());
   }
 
   SidePlan run() {
-    while (!(plan_.is_partial = watch_.isStopped())) {
-      const std::optional<std::size_t> posture = bestPosture();
-      if (!posture) break;
+    while (const std::optional<std::size_t> posture = bestPosture()) {
       addSetup(*posture);
       watch_.report("parts per thousand ground", static_cast<std::size_t>(1000.0 * (1.0 - shareLeft())));
     }
@@ -102,6 +103,7 @@ class Planner {
   /// the obstacles of the sites are noted.
   std::optional<std::size_t> bestPosture() {
     const std::vector<Trial> trials = tryPostures();
+    if (plan_.is_partial) return std::nullopt;
     std::vector<std::size_t> free(postures_.size(), 0);
     for (const Trial& trial : trials) {
       free[trial.posture] += !trial.state.obstacle && !uses_[trial.posture].is_exhausted;
@@ -138,9 +140,22 @@ class Planner {
         poses.push_back(seated[site][p]);
       }
     }
-    const std::vector<PoseState> states = judge_.statesOf(poses);
+    const std::vector<PoseState> states = statesOf(poses);
     for (std::size_t i = 0; i < trials.size(); ++i) trials[i].state = states[i];
     return trials;
+  }
+
+  /// The judge's answers; if the watch stops the plan, some are missing and the plan is partial.
+  std::vector<PoseState> statesOf(std::span<const Pose> poses) {
+    constexpr std::size_t kAtOnce = 2048;  // a fraction of a second
+    std::vector<PoseState> states;
+    for (std::size_t begin = 0; begin < poses.size() && !plan_.is_partial; begin += kAtOnce) {
+      const auto next = judge_.statesOf(poses.subspan(begin, std::min(kAtOnce, poses.size() - begin)));
+      states.insert(states.end(), next.begin(), next.end());
+      plan_.is_partial = watch_.isStopped();
+    }
+    states.resize(poses.size());
+    return states;
   }
 
   /// A tilt turns the wheel about its own axis and leaves it seated.
@@ -190,7 +205,7 @@ class Planner {
     std::vector<Pose> poses(cells.size());
     parallelFor(cells.size(), options_.threads,
                 [&](std::size_t i, std::size_t) { poses[i] = placer.at(cells[i]); });
-    const std::vector<PoseState> states = judge_.statesOf(poses);
+    const std::vector<PoseState> states = statesOf(poses);
     std::vector<bool> reachable(grid_.size(), false);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       reachable[cells[i]] = !states[i].obstacle && grinds(poses[i], surface_.points[cells[i]].point);
@@ -198,16 +213,18 @@ class Planner {
     return reachable;
   }
 
+  /// Adds the passes of a posture, unless they turn out not to be worth a setup.
   void addSetup(std::size_t index) {
     const ToolPosture& posture = postures_[index];
     Use& use = uses_[index];
-    const double left = shareLeft();
     const Placer placer(surface_, seat_, posture, wheel_.radius, options_.depth);
     // The grid does not show every ridge of the surface. Where a pass grinds less than its width, the next
     // use of the posture makes passes half as far apart.
     const double apart = std::ldexp(posture.partOfBelt(), -use.times++);
+    const std::vector<bool> wanted = reachable(placer);
+    if (plan_.is_partial) return;
     const std::vector<PassLine> lines =
-        passLines(surface_, reachable(placer), posture.grindsTowardsTip(),
+        passLines(surface_, wanted, posture.grindsTowardsTip(),
                   {.belt_width = wheel_.width, .scallop = options_.scallop, .part = apart});
     std::vector<Run> runs;
     for (FreeRun& run : freeRuns(judge_, placer, lines, options_.chord_error)) {
@@ -215,23 +232,27 @@ class Planner {
                       surface_.points[run.cells.back()].normal});
     }
     const LinkedPath linked = linkRuns(judge_, home_, runs);
-    noteGround(linked.poses);
-    const double ground = left - shareLeft();
+    const std::vector<GroundPoint> points = pointsOf(linked.poses);
+    double ground = 0.0;
+    for (const std::size_t cell : cellsLeft()) {
+      if (points[cell].isGround()) ground += grid_.areaOf(cell) / area_;
+    }
     use.is_exhausted = ground < kLeastSetup;
-    if (ground == 0.0) return;
+    if (use.is_exhausted) return;
     if (!plan_.path.empty()) add(home_.between(plan_.path.back(), linked.poses.front()), {});
+    const std::size_t first = poses_before_ + plan_.path.size();
     add(linked.poses, linked.grinds);
+    for (std::size_t cell = 0; cell < points.size(); ++cell) {
+      if (points[cell].depth <= plan_.points[cell].depth) continue;
+      plan_.points[cell] = {points[cell].depth, first + points[cell].pose};
+    }
     plan_.setups.push_back({posture, runs.size() - linked.lost.size(), linked.poses.size(), ground});
   }
 
-  void noteGround(const std::vector<Pose>& path) {
+  std::vector<GroundPoint> pointsOf(const std::vector<Pose>& path) const {
     std::vector<Pose> in_blisk;
     for (const Pose& pose : path) in_blisk.push_back(mesh_in_blisk_ * pose);
-    const std::vector<GroundPoint> ground = groundPoints(grid_, belt_, in_blisk, options_.threads);
-    for (std::size_t cell = 0; cell < ground.size(); ++cell) {
-      if (ground[cell].depth <= plan_.points[cell].depth) continue;
-      plan_.points[cell] = {ground[cell].depth, plan_.path.size() + ground[cell].pose};
-    }
+    return groundPoints(grid_, belt_, in_blisk, options_.threads);
   }
 
   /// Links if `grinds` is empty.
@@ -246,6 +267,7 @@ class Planner {
   const Pose& mesh_in_blisk_;
   const WheelSeat& seat_;
   const PlanOptions& options_;
+  const std::size_t poses_before_;
   const RunWatch& watch_;
   const ClusteredOctree& belt_;
   const WheelSize wheel_;
@@ -265,8 +287,8 @@ WheelSize wheelOf(const ClusteredOctree& belt) {
 }
 
 SidePlan planSide(Judge& judge, const SideGrid& grid, const Pose& mesh_in_blisk, const WheelSeat& seat,
-                  const PlanOptions& options, const RunWatch& watch) {
-  return Planner(judge, grid, mesh_in_blisk, seat, options, watch).run();
+                  const PlanOptions& options, const GroundBefore& before, const RunWatch& watch) {
+  return Planner(judge, grid, mesh_in_blisk, seat, options, before, watch).run();
 }
 
 }  // namespace octoblisk::demos

@@ -25,7 +25,7 @@ struct PlanOptions {
 struct PlannedSetup {
   ToolPosture posture;
   std::size_t runs = 0, poses = 0;
-  double ground = 0.0;  ///< the share of the side's area that earlier setups left and this one grinds
+  double ground = 0.0;  ///< the share of the side's area that is left before and that this one grinds
 };
 
 /// A part of the side that the tool cannot reach, and the obstacle of most postures there.
@@ -38,9 +38,15 @@ struct SidePlan {
   std::vector<Pose> path;                ///< the tool in the blisk's mesh, from home to home
   std::vector<bool> grinds;              ///< per pose: whether it is a contact; the others are links
   std::vector<PlannedSetup> setups;      ///< in the order of the path
-  std::vector<GroundPoint> points;       ///< per cell of the grid
+  std::vector<GroundPoint> points;       ///< per cell of the grid, with what earlier tools have ground
   std::vector<UnreachedArea> unreached;  ///< the largest first
   bool is_partial = false;               ///< stopped: more might be ground
+};
+
+/// What earlier tools have ground: per cell of the grid, with poses counted through their paths in order.
+struct GroundBefore {
+  std::vector<GroundPoint> points;  ///< empty: nothing
+  std::size_t poses = 0;            ///< of all those paths
 };
 
 /// Makes one setup after another, each in the posture that grinds most of what is left: the judge finds the
@@ -51,7 +57,7 @@ struct SidePlan {
 /// `grid` is in the frame that `mesh_in_blisk` leads to. The seat is for the judge's blisk, in the frame of
 /// its mesh, and for the wheel of the grinding part (wheelOf).
 SidePlan planSide(Judge& judge, const SideGrid& grid, const Pose& mesh_in_blisk, const WheelSeat& seat,
-                  const PlanOptions& options, const RunWatch& watch = {});
+                  const PlanOptions& options, const GroundBefore& before = {}, const RunWatch& watch = {});
 
 /// The contact wheel with its belt; lengths in mm.
 struct WheelSize {

@@ -46,7 +46,7 @@ TEST_F(PlanCommand, writesAPathThatGrindsTheSideAndGrindFindsClean) {
 
   double percent = 0.0;
   for (const auto& setup : readTable(file("plan/setups.csv"))) {
-    EXPECT_EQ(setup.at("blade") + setup.at("side"), "1concave");
+    EXPECT_EQ(setup.at("path"), "blade-1-concave.csv");
     percent += std::stod(setup.at("ground_percent"));
   }
   EXPECT_GT(percent, 90.0);

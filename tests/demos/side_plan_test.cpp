@@ -124,6 +124,29 @@ TEST(SidePlan, linksStayClearOfTheBliskWhereverTheyAreSampled) {
   EXPECT_GT(samples, 500u);
 }
 
+TEST(SidePlan, addsOnlyToWhatEarlierToolsLeave) {
+  const SidePlan& first = planned();
+  Judge judge(task().blisk, task().parts, task().blades.blade_of_triangle, task().rules, 2);
+  const SidePlan second =
+      planSide(judge, task().grid, {}, task().seat, {.threads = 2}, {first.points, first.path.size()});
+  EXPECT_TRUE(second.path.empty());  // the first plan ended because this tool grinds no more
+  EXPECT_EQ(groundShare(second), groundShare(first));
+
+  std::vector<GroundPoint> half = first.points;
+  for (std::size_t cell = half.size() / 2; cell < half.size(); ++cell) half[cell] = {};
+  const SidePlan rest = planSide(judge, task().grid, {}, task().seat, {.threads = 2}, {half, 1'000'000});
+  EXPECT_FALSE(rest.path.empty());
+  EXPECT_NEAR(groundShare(rest), groundShare(first), 0.01);
+  std::size_t by_first = 0, by_second = 0;
+  for (const GroundPoint& point : rest.points) {
+    by_first += point.isGround() && point.pose < 1'000'000;
+    by_second += point.isGround() && point.pose >= 1'000'000;
+    EXPECT_LT(point.pose, 1'000'000 + rest.path.size());
+  }
+  EXPECT_GT(by_first, half.size() / 4);
+  EXPECT_GT(by_second, half.size() / 4);
+}
+
 TEST(SidePlan, isTheSameForOneThread) {
   const SidePlan alone = task().plan(1);
   ASSERT_EQ(alone.path.size(), planned().path.size());
