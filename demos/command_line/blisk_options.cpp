@@ -71,9 +71,9 @@ BliskFound bliskAbout(const std::string& axis, const TriangleMesh& mesh, const s
   }
 }
 
-BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name) {
+BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BladesFound& blades, const std::string& mesh_name) {
   try {
-    return findAnatomy(blisk, found.blades);
+    return findAnatomy(blisk, blades);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(mesh_name + ": " + error.what());
   }
@@ -85,6 +85,15 @@ BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, con
   if (anatomy.convex_side) return *anatomy.convex_side;
   throw std::runtime_error(mesh_name +
                            ": the blades are too straight to find their convex side: give it with --convex");
+}
+
+BladeRegion regionNamed(const std::string& side, const std::string& convex, const BliskAnatomy& anatomy,
+                        const std::string& mesh_name) {
+  if (side == "leading") return BladeRegion::leading_edge;
+  if (side == "trailing") return BladeRegion::trailing_edge;
+  const bool is_forward =
+      (side == "convex") == (convexSide(convex, anatomy, mesh_name) == BladeSide::forward);
+  return is_forward ? BladeRegion::forward : BladeRegion::backward;
 }
 
 std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input) {

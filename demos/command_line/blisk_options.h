@@ -7,6 +7,7 @@
 
 #include "command_line/grinder_input.h"
 #include "models/blade_anatomy.h"
+#include "models/blade_region.h"
 #include "models/blisk_axis.h"
 
 namespace octoblisk::demos {
@@ -24,13 +25,17 @@ void addConvexOption(CLI::App& command, std::string& convex);
 
 /// Calls findAnatomy. Its exceptions become std::runtime_error with a message that begins with the mesh's
 /// name.
-BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BliskFound& found, const std::string& mesh_name);
+BliskAnatomy anatomyOf(const TriangleMesh& blisk, const BladesFound& blades, const std::string& mesh_name);
 
 /// The convex side, as given or as found. Throws std::runtime_error with a one-line message that begins with
 /// the mesh's name if it is neither given nor found.
 BladeSide convexSide(const std::string& convex, const BliskAnatomy& anatomy, const std::string& mesh_name);
 
-/// The same for a grinder's blisk; none if it is neither given nor found.
+/// The region that is called convex, concave, leading or trailing. Throws as convexSide.
+BladeRegion regionNamed(const std::string& side, const std::string& convex, const BliskAnatomy& anatomy,
+                        const std::string& mesh_name);
+
+/// The convex side of a grinder's blisk; none if it is neither given nor found.
 std::optional<BladeSide> convexSideOf(const std::string& convex, const GrinderInput& input);
 
 }  // namespace octoblisk::demos

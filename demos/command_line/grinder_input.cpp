@@ -346,7 +346,12 @@ void warnOfUntouched(const GrinderFiles& files, const GrinderInput& input, int g
 
 void warnOfInput(const GrinderFiles& files, const GrinderInput& input) {
   if (input.blades.count == 0) {
-    warnOf(files.bliskName(), "no blades were found: every touch counts as interference with hub or shroud");
+    const VerdictRules& rules = input.tool.rules;
+    bool may_touch = false;
+    for (std::size_t part = 0; part < input.tool.parts.size(); ++part) may_touch |= rules.allows(part, 0);
+    warnOf(files.bliskName(), std::string("no blades were found: ") +
+                                  (may_touch ? "all of it is hub or shroud"
+                                             : "every touch counts as interference with hub or shroud"));
   }
   const MeshInspection found = defectsOf(*input.blisk, files.threads);
   const std::string open = openText(found), inward = inwardText(found);

@@ -98,7 +98,7 @@ int findAndPrint(const BladesRequest& request) {
       request.blisk.empty() ? embeddedBlisk() : readUsersMesh(request.blisk, request.units);
   const BliskFound found = bliskAbout(request.axis, mesh, name);
   const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
-  const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
+  const BliskAnatomy anatomy = anatomyOf(blisk, found.blades, name);
   const BladeSide convex_side = convexSide(request.convex, anatomy, name);
 
   const std::filesystem::path out = request.out;

@@ -56,9 +56,7 @@ void warnOfParts(const GrinderFiles& files, const GrindingRun& run) {
 void print(const GrindingRun& run, const std::optional<Coverage>& coverage, const GrindRequest& request) {
   const std::filesystem::path out = request.files.out;
   std::cout << summaryText(run);
-  if (run.job.rules.ground_blade != 0 && run.job.rules.grinding_part != kNoPart) {
-    std::cout << summaryText(coverage, run.job.rules.ground_blade) << '\n';
-  }
+  if (coverage) std::cout << summaryText(*coverage);
   std::cout << "Tables: " << (out / "poses.csv").string() << ", " << (out / "contacts.csv").string() << ", "
             << (out / "summary.json").string() << ", " << (out / "path.csv").string() << '\n';
   if (request.report) std::cout << replayFilesText(out);
@@ -108,9 +106,7 @@ void writeAll(const GrindingRun& run, const std::optional<Coverage>& coverage, c
   }
   if (request.frames > 0 && !isStopped()) writeFrames(run, request.frames, out, files, writePngWatched);
   if (request.report && !isStopped()) {
-    Replay replay = grindingReplay(run);
-    if (coverage) replay.side = coverageOnBlade(*coverage);
-    writeReplayFiles(replay, out, files);
+    writeReplayFiles(grindingReplay(run, coverage), out, files);
   }
   files.finish();
   if (isStopped())

@@ -38,15 +38,8 @@ struct PathRequest {
   SurfacePathOptions options;
 };
 
-PathRegion regionOf(const PathRequest& request, const BliskAnatomy& anatomy, const std::string& name) {
-  if (request.side == "leading") return PathRegion::leading_edge;
-  const BladeSide convex = convexSide(request.convex, anatomy, name);
-  const bool is_forward = (request.side == "convex") == (convex == BladeSide::forward);
-  return is_forward ? PathRegion::forward : PathRegion::backward;
-}
-
-/// The arm cannot leave through a shroud: by default it then leaves a side downstream, and the leading edge
-/// upstream.
+/// The arm cannot leave through a shroud: by default it then leaves the leading edge upstream, and everything
+/// else downstream.
 PathArm armAsked(const PathRequest& request, bool shrouded) {
   if (request.arm == "upstream") return PathArm::upstream;
   if (request.arm == "downstream") return PathArm::downstream;
@@ -74,9 +67,9 @@ int makePath(PathRequest request) {
                                 std::to_string(found.blades.count) + " blades, numbered from 1");
   }
   const TriangleMesh blisk = moved(mesh, found.mesh_in_blisk);
-  const BliskAnatomy anatomy = anatomyOf(blisk, found, name);
+  const BliskAnatomy anatomy = anatomyOf(blisk, found.blades, name);
   SurfacePathOptions& options = request.options;
-  options.region = regionOf(request, anatomy, name);
+  options.region = regionNamed(request.side, request.convex, anatomy, name);
   options.pattern = request.pattern == "longitudinal" ? PathPattern::longitudinal : PathPattern::transversal;
   options.arm = armAsked(request, found.blades.shrouded);
   const WheelSeat seat(blisk, anatomy.sides.blade_of_triangle, request.blade, options.wheel_radius,
@@ -94,13 +87,13 @@ int makePath(PathRequest request) {
   }
   whole.finish();
   const int passes = *std::ranges::max_element(path.pass_of_motion) + 1;
-  const bool is_edge = request.side == "leading";
   std::ostream& words = isStandardOutput(request.out) ? std::cerr : std::cout;
   words << request.out << ": " << path.motions.size() << " poses, " << passes << ' ' << request.pattern
-        << (passes == 1 ? " pass " : " passes ") << (is_edge ? "around the leading edge" : "on the ")
-        << (is_edge ? "" : request.side + " side") << " of blade " << request.blade << " of "
-        << found.blades.count << ", at most " << options.step_over << " mm apart, from "
-        << options.height_from << " to " << options.height_to << " of its height\n";
+        << (passes == 1 ? " pass " : " passes ")
+        << (isEdge(options.region) ? "around the " + request.side + " edge"
+                                   : "on the " + request.side + " side")
+        << " of blade " << request.blade << " of " << found.blades.count << ", at most " << options.step_over
+        << " mm apart, from " << options.height_from << " to " << options.height_to << " of its height\n";
   return 0;
 }
 
@@ -119,8 +112,8 @@ void addPathCommand(CLI::App& app, int& exit_code) {
             "downstream, or upstream around the leading edge");
   addOption(command, "--blade", request->blade, "N", wholeNumberFrom(1, 10'000),
             "Number of the blade, from 1, as in the table of 'octoblisk blades'");
-  addChoice(command, "--side", request->side, {"convex", "concave", "leading"},
-            "Surface to grind: the convex side, the concave side or the leading edge");
+  addChoice(command, "--side", request->side, {"convex", "concave", "leading", "trailing"},
+            "Surface to grind: the convex side, the concave side, the leading edge or the trailing edge");
   addChoice(command, "--pattern", request->pattern, {"longitudinal", "transversal"},
             "longitudinal: passes along the blade's length; transversal: passes along its chord, or "
             "around the edge");
@@ -134,8 +127,7 @@ void addPathCommand(CLI::App& app, int& exit_code) {
   addLength("--pose-step", options.pose_step, "Greatest distance between poses", true);
   addLength("--edge-margin", options.edge_margin, "Width left out along a side's leading and trailing edge",
             false);
-  addLength("--edge-reach", options.edge_reach, "Reach of the passes to either side of the leading edge",
-            true);
+  addLength("--edge-reach", options.edge_reach, "Reach of the passes to either side of an edge", true);
   addLength("--depth", options.depth, "Depth to which the belt is pressed into the surface", false);
   addLength("--wheel-radius", options.wheel_radius, "Radius of the contact wheel with the belt on it", true);
   addLength("--wheel-width", request->wheel_width, "Width of the belt on the contact wheel", true);

@@ -1,4 +1,4 @@
-// octoblisk plan: plans a path that grinds the sides of a blade.
+// octoblisk plan: plans paths that grind the sides and edges of a blade.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -33,7 +33,7 @@ namespace {
 struct PlanRequest {
   GrinderFiles files;
   std::string convex;  // empty: found
-  std::string side = "both";
+  std::string side = "all";
   bool all_blades = false;
   std::vector<std::string> next_tools;  // files
   std::string format = "csv";
@@ -70,14 +70,13 @@ PlanOptions optionsOf(const PlanRequest& request, double max_depth) {
 class BliskPlan {
  public:
   BliskPlan(const PlanRequest& request, GrinderFiles files)
-      : files_(std::move(files)),
+      : convex_(request.convex),
+        files_(std::move(files)),
         input_(readGrinder(files_)),
         blisk_(moved(input_.blisk->mesh(), input_.mesh_in_blisk)) {
     const std::string name = files_.bliskName();
     if (input_.blades.count == 0) throw std::invalid_argument(name + ": no blades were found: check --axis");
-    sides_ = findBladeSides(blisk_, input_.blades);
-    convex_ = convexSideOf(request.convex, input_);
-    if (!convex_) throw std::runtime_error(name + ": the convex side is unknown: give it with --convex");
+    anatomy_ = anatomyOf(blisk_, input_.blades, name);
     rules_ = reachRulesOf(files_, input_, 0, 0.0);
     const ClusteredOctree& belt = *input_.tool.parts[rules_.grinding_part].tree;
     wheel_ = wheelOf(belt);
@@ -96,16 +95,17 @@ class BliskPlan {
     rules.ground_blade = blade;
     Judge judge(input_.blisk, input_.tool.parts, input_.blades.blade_of_triangle, rules, files_.threads,
                 input_.fixtures);
-    const WheelSeat seat(input_.blisk->mesh(), sides_.blade_of_triangle, blade, wheel_.radius, wheel_.width);
-    const bool is_forward = (side == "convex") == (*convex_ == BladeSide::forward);
-    PlannedSide planned{.plan = {},
-                        .coverage = {.blade = blade,
-                                     .grid = gridOver(BladeContours(blisk_, sides_, blade),
-                                                      is_forward ? BladeSide::forward : BladeSide::backward),
-                                     .side = side,
-                                     .mesh_in_blisk = input_.mesh_in_blisk,
-                                     .max_depth = rules.max_depth,
-                                     .points = {}}};
+    const WheelSeat seat(input_.blisk->mesh(), anatomy_.sides.blade_of_triangle, blade, wheel_.radius,
+                         wheel_.width);
+    PlannedSide planned{
+        .plan = {},
+        .coverage = {.blade = blade,
+                     .grid = gridOver(BladeContours(blisk_, anatomy_.sides, blade),
+                                      regionNamed(side, convex_, anatomy_, files_.bliskName())),
+                     .side = side,
+                     .mesh_in_blisk = input_.mesh_in_blisk,
+                     .max_depth = rules.max_depth,
+                     .points = {}}};
     planned.plan = planSide(judge, planned.coverage.grid, input_.mesh_in_blisk, seat, options_, before,
                             terminal.watch());
     planned.coverage.points = planned.plan.points;
@@ -114,11 +114,11 @@ class BliskPlan {
   }
 
  private:
+  std::string convex_;  // empty: found
   GrinderFiles files_;
   GrinderInput input_;
   TriangleMesh blisk_;  // about the Z axis
-  BladeSides sides_;
-  std::optional<BladeSide> convex_;
+  BliskAnatomy anatomy_;
   VerdictRules rules_;  // without the ground blade
   WheelSize wheel_;
   PlanOptions options_;
@@ -151,13 +151,13 @@ void print(const PlannedSide& planned, const GrinderInput& input, const std::str
     std::cout << countedText(plan.path.size(), "pose", "poses") << " in "
               << countedText(plan.setups.size(), "setup", "setups") << '\n';
   }
-  std::cout << summaryText(planned.coverage, planned.coverage.blade) << '\n';
+  std::cout << summaryText(planned.coverage);
   constexpr double kWorthALine = 5e-4;  // 0.1 %, rounded
   for (const UnreachedArea& area : plan.unreached) {
     if (area.share < kWorthALine) continue;
-    std::cout << "Not reached: " << shareText(area.share, 1.0) << " of the side, where the "
-              << input.tool.parts[area.obstacle.part].name << " would be "
-              << (area.obstacle.too_deep ? "too deep in " : "in contact with ")
+    std::cout << "Out of reach: " << shareText(area.share, 1.0) << ", where the "
+              << input.tool.parts[area.obstacle.part].name
+              << (area.obstacle.too_deep ? " would be too deep in " : " would touch ")
               << input.names().nameOf(area.obstacle.blade) << '\n';
   }
 }
@@ -213,7 +213,7 @@ int plan(const PlanRequest& request) {
     std::iota(blades.begin(), blades.end(), 1);
   }
   std::vector<std::string> sides = {request.side};
-  if (request.side == "both") sides = {"convex", "concave"};
+  if (request.side == "all") sides = {"convex", "concave", "leading", "trailing"};
   PlanFiles files(request);
   std::size_t empty_paths = 0;
   for (const int blade : blades) {
@@ -244,7 +244,8 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
   const auto request = std::make_shared<PlanRequest>();
   addGrinderOptions(command, request->files);
   addConvexOption(command, request->convex);
-  addChoice(command, "--side", request->side, {"convex", "concave", "both"}, "Side of the blade to grind");
+  addChoice(command, "--side", request->side, {"convex", "concave", "leading", "trailing", "all"},
+            "Surface to grind: a side, an edge, or all four, each with a path of its own");
   command.add_flag("--all-blades", request->all_blades, "Plan a path for each blade of the blisk")
       ->excludes(command.get_option("--ground-blade"));
   addOption(command, "--next-tool", request->next_tools, "FILE", notEmpty(),

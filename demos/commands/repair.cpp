@@ -191,7 +191,7 @@ int repair(const RepairRequest& request) {
   }
   whole.finish();
   printRepair(repaired, input, *blade, written);
-  if (*blade != 0) std::cout << summaryText(coverage, *blade) << '\n';
+  if (coverage) std::cout << summaryText(*coverage);
   if (repaired.is_partial) {
     throw TerminalWatch::stopped("stopped: the poses repaired so far are in " + written.path.string());
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "models/belt_grinder.h"
 #include "models/blade_sides.h"
 #include "models/blisk_axis.h"
+#include "models/shared_tree.h"
 #include "models/triangle_tree.h"
 #include "octoblisk/closest_point.h"
 #include "octoblisk/containment.h"
@@ -175,47 +177,95 @@ std::optional<std::pair<std::size_t, std::size_t>> reachedLines(
   return lines;
 }
 
-/// The number of poses at which the part touches the blade's forward side, and its backward side.
-std::array<std::size_t, 2> touchesOfSides(const GrindingJob& job, std::span<const Pose> path,
-                                          const BladeSides& sides) {
+/// The region of a side's grid that a point near it faces.
+BladeRegion regionAt(const SideGrid& side, const ClosestPoint& nearest) {
+  const std::size_t row = nearest.triangle / 2 / side.columns(), lower = row * (side.columns() + 1);
+  const auto isNear = [&](std::size_t corner) {
+    return (side.corners()[corner] - nearest.point).norm() <= kEdgeReach;
+  };
+  if (isNear(lower)) return BladeRegion::leading_edge;
+  return isNear(lower + side.columns()) ? BladeRegion::trailing_edge : side.region();
+}
+
+/// The region nearest to the tool's origin at most of the poses at which the part touches the blade.
+std::optional<BladeRegion> regionFaced(const GrindingJob& job, std::span<const Pose> path,
+                                       const BladeSides& sides, const BladeContours& contours) {
   const TriangleMesh& mesh = job.blisk->mesh();
-  std::array<std::size_t, 2> poses{};
-  for (const BladePart side : {BladePart::forward, BladePart::backward}) {
-    std::vector<TriangleMesh::Indices> triangles;
-    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-      if (sides.blade_of_triangle[t] == job.rules.ground_blade && sides.part_of_triangle[t] == side) {
-        triangles.push_back(mesh.triangles()[t]);
-      }
-    }
-    if (triangles.empty()) continue;
-    const auto tree = treeOfTriangles(mesh, std::move(triangles));
-    PathQuery query(*tree, *job.parts[job.rules.grinding_part].tree);
-    for (const Pose& pose : path) poses[side == BladePart::backward] += query.collide(pose).has_value();
+  std::vector<TriangleMesh::Indices> triangles;
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    if (sides.blade_of_triangle[t] == job.rules.ground_blade) triangles.push_back(mesh.triangles()[t]);
   }
-  return poses;
+  const auto blade = treeOfTriangles(mesh, std::move(triangles));
+  PathQuery touching(*blade, *job.parts[job.rules.grinding_part].tree);
+  const std::array grids = {gridOver(contours, BladeRegion::forward),
+                            gridOver(contours, BladeRegion::backward)};
+  const std::array trees = {treeOf(grids[0].mesh()), treeOf(grids[1].mesh())};
+  std::map<BladeRegion, std::size_t> poses;
+  for (const Pose& pose : path) {
+    if (!touching.collide(pose)) continue;
+    const Vec3 origin = (job.mesh_in_blisk * pose).translation;
+    const std::array nearest = {closestPoint(*trees[0], origin).value(),
+                                closestPoint(*trees[1], origin).value()};
+    const std::size_t side = nearest[1].distance < nearest[0].distance ? 1 : 0;
+    ++poses[regionAt(grids[side], nearest[side])];
+  }
+  const auto most = std::ranges::max_element(poses, {}, [](const auto& entry) { return entry.second; });
+  if (most == poses.end()) return std::nullopt;
+  return most->first;
+}
+
+std::string nameOf(BladeRegion region, std::optional<BladeSide> convex) {
+  if (region == BladeRegion::leading_edge) return "leading";
+  if (region == BladeRegion::trailing_edge) return "trailing";
+  const bool is_forward = region == BladeRegion::forward;
+  if (!convex) return is_forward ? "forward" : "backward";
+  return is_forward == (*convex == BladeSide::forward) ? "convex" : "concave";
 }
 
 }  // namespace
 
-SideGrid gridOver(const BladeContours& contours, BladeSide side) {
-  const SideGrid coarse(contours, side, 8, 8);
+SideGrid gridOver(const BladeContours& contours, BladeRegion region) {
+  const SideGrid coarse(contours, region, 8, 8);
   std::vector<Vec3> up, along;
   for (std::size_t k = 0; k < 8; ++k) {
     up.push_back(coarse.middleOf(8 * k + 4).position);
     along.push_back(coarse.middleOf(8 * 4 + k).position);
   }
   constexpr double kWhole = 8.0 / 7.0;  // of the distance between the first centre and the last
-  return SideGrid(contours, side, linesOver(kWhole * lengthOf(up), kCellHeight),
+  return SideGrid(contours, region, linesOver(kWhole * lengthOf(up), kCellHeight),
                   linesOver(kWhole * lengthOf(along), kCellWidth));
 }
 
-double Coverage::groundShare() const {
-  double ground = 0.0, all = 0.0;
+std::string nameOf(CellState state) {
+  constexpr std::array kNames = {"ground", "too deep", "left standing", "not reached"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+CellState Coverage::stateOf(std::size_t cell) const {
+  const GroundPoint& point = points[cell];
+  if (!point.isNear()) return CellState::not_reached;
+  if (!point.isTouched()) return CellState::left_standing;
+  return point.depth <= max_depth ? CellState::ground : CellState::too_deep;
+}
+
+double Coverage::share(CellState state) const {
+  double in_state = 0.0, all = 0.0;
   for (std::size_t cell = 0; cell < points.size(); ++cell) {
     all += grid.areaOf(cell);
-    if (points[cell].isGround()) ground += grid.areaOf(cell);
+    if (stateOf(cell) == state) in_state += grid.areaOf(cell);
   }
-  return ground / all;
+  return in_state / all;
+}
+
+std::array<double, kCellStates.size()> Coverage::percents() const {
+  std::array<double, kCellStates.size()> percents;
+  double sum = 0.0, tenths = 0.0;  // of the states so far; the sum is rounded, so no error adds up
+  for (std::size_t k = 0; k < percents.size(); ++k) {
+    sum += share(kCellStates[k]);
+    percents[k] = (std::round(1000.0 * sum) - tenths) / 10.0;
+    tenths = std::round(1000.0 * sum);
+  }
+  return percents;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> Coverage::reachedRows() const {
@@ -241,10 +291,10 @@ std::optional<std::pair<std::size_t, std::size_t>> Coverage::reachedColumns() co
 double Coverage::scallopHeight() const {
   double most = 0.0;
   for (std::size_t column = 0; column < grid.columns(); ++column) {
-    const auto isGround = [&](std::size_t row) { return points[row * grid.columns() + column].isGround(); };
+    const auto isTouched = [&](std::size_t row) { return points[row * grid.columns() + column].isTouched(); };
     std::size_t first = 0, end = grid.rows();
-    while (first < end && !isGround(first)) ++first;
-    while (end > first && !isGround(end - 1)) --end;
+    while (first < end && !isTouched(first)) ++first;
+    while (end > first && !isTouched(end - 1)) --end;
     for (std::size_t row = first; row < end; ++row) {
       most = std::max(most, -points[row * grid.columns() + column].depth);
     }
@@ -281,63 +331,67 @@ std::optional<Coverage> coverageOf(const GrindingJob& job, std::span<const Pose>
   if (blade == 0 || part == kNoPart) return std::nullopt;
   const TriangleMesh about_axis = moved(job.blisk->mesh(), job.mesh_in_blisk);
   const BladeSides sides = findBladeSides(about_axis, job.blades);
-  const std::array<std::size_t, 2> touches = touchesOfSides(job, path, sides);
-  if (touches[0] + touches[1] == 0) return std::nullopt;
-  const BladeSide side = touches[0] >= touches[1] ? BladeSide::forward : BladeSide::backward;
+  const BladeContours contours(about_axis, sides, blade);
+  const std::optional<BladeRegion> region = regionFaced(job, path, sides, contours);
+  if (!region) return std::nullopt;
   Coverage coverage{.blade = blade,
-                    .grid = gridOver(BladeContours(about_axis, sides, blade), side),
-                    .side = side == BladeSide::forward ? "forward" : "backward",
+                    .grid = gridOver(contours, *region),
+                    .side = nameOf(*region, convex),
                     .mesh_in_blisk = job.mesh_in_blisk,
                     .max_depth = job.rules.maxDepth(part),
                     .points = {}};
-  if (convex) coverage.side = side == *convex ? "convex" : "concave";
   std::vector<Pose> poses;
   for (const Pose& pose : path) poses.push_back(job.mesh_in_blisk * pose);
   coverage.points = groundPoints(coverage.grid, *job.parts[part].tree, poses, job.threads);
   return coverage;
 }
 
+std::string regionText(const Coverage& coverage) {
+  const char* const kind = isEdge(coverage.grid.region()) ? " edge" : " side";
+  return coverage.side + kind + " of blade " + std::to_string(coverage.blade);
+}
+
 std::string groundText(const Coverage& coverage) {
+  const auto percents = coverage.percents();
   std::ostringstream text;
-  text << "Ground: " << std::round(100.0 * coverage.groundShare()) << " % of the " << coverage.side
-       << " side of blade " << coverage.blade;
+  text << "Ground: " << percents[0] << " % of the " << regionText(coverage);
+  for (std::size_t k = 1; k < percents.size(); ++k)
+    text << (k == 1 ? "; " : ", ") << nameOf(kCellStates[k]) << ": " << percents[k] << " %";
   return text.str();
 }
 
 std::string leftText(const Coverage& coverage) {
   const auto rows = coverage.reachedRows(), columns = coverage.reachedColumns();
-  std::vector<std::string> left;
-  const auto add = [&](const std::string& what, std::size_t line, std::size_t count, const char* of) {
-    std::ostringstream entry;
-    entry.precision(2);
-    entry << what << ' ' << static_cast<double>(line) / static_cast<double>(count) << of;
-    left.push_back(entry.str());
+  std::ostringstream text;
+  text.precision(2);
+  const auto add = [&](const char* what, std::size_t line, std::size_t count, const char* of) {
+    text << (text.str().empty() ? "Not reached: " : ", ") << what << ' '
+         << static_cast<double>(line) / static_cast<double>(count) << of;
   };
   const std::size_t row_count = coverage.grid.rows(), column_count = coverage.grid.columns();
   if (rows && rows->first > 0) add("root below", rows->first, row_count, " of the height");
   if (rows && rows->second + 1 < row_count) add("tip above", rows->second + 1, row_count, " of the height");
+  const bool is_edge = isEdge(coverage.grid.region());
+  const char* const of = is_edge ? " of the width" : " of the chord";
   if (columns && columns->first > 0)
-    add("leading edge before", columns->first, column_count, " of the chord");
+    add(is_edge ? "backward side before" : "leading edge before", columns->first, column_count, of);
   if (columns && columns->second + 1 < column_count) {
-    add("trailing edge beyond", columns->second + 1, column_count, " of the chord");
+    add(is_edge ? "forward side beyond" : "trailing edge beyond", columns->second + 1, column_count, of);
   }
-  std::ostringstream text;
-  text.precision(2);
-  for (std::size_t i = 0; i < left.size(); ++i) text << (i == 0 ? "not reached: " : ", ") << left[i];
   const double scallop = coverage.scallopHeight();
-  if (scallop > 0.0 && !left.empty()) text << "; ";
+  if (scallop == 0.0) return text.str();
+  text << (text.str().empty() ? "Left between passes: " : "; left between passes: ");
   if (std::isinf(scallop)) {
-    text << "left between passes: more than " << kCoverageReach << " mm";
-  } else if (scallop > 0.0) {
-    text << "left between passes: scallops up to " << scallop << " mm";
+    text << "more than " << kCoverageReach << " mm";
+  } else {
+    text << "scallops up to " << scallop << " mm";
   }
   return text.str();
 }
 
-std::string summaryText(const std::optional<Coverage>& coverage, int blade) {
-  if (!coverage) return "Ground: no part of blade " + std::to_string(blade);
-  const std::string left = leftText(*coverage);
-  return groundText(*coverage) + (left.empty() ? "" : "; ") + left;
+std::string summaryText(const Coverage& coverage) {
+  const std::string left = leftText(coverage);
+  return groundText(coverage) + '\n' + left + (left.empty() ? "" : "\n");
 }
 
 namespace {

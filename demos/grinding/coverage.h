@@ -1,6 +1,7 @@
-// How much of a blade's side a path grinds.
+// How much of a side or an edge of a blade a path grinds.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -21,14 +22,23 @@ inline constexpr double kCoverageReach = 0.5;
 /// The greatest distance between two sampled places of the part between poses, mm, along the contact's path.
 inline constexpr double kCoverageStep = 0.5;
 
-/// What the grinding part does to a point of the blade's side.
+/// What the grinding part does to a cell: it is within its depth limit there at its deepest, or exceeds it;
+/// it comes within kCoverageReach but does not touch; or it stays farther away.
+enum class CellState { ground, too_deep, left_standing, not_reached };
+inline constexpr std::array kCellStates = {CellState::ground, CellState::too_deep, CellState::left_standing,
+                                           CellState::not_reached};
+
+/// "ground", "too deep", "left standing", "not reached".
+std::string nameOf(CellState state);
+
+/// What the grinding part does to a point of the blade.
 struct GroundPoint {
   /// The point's greatest depth in the part, mm. If negative, the least distance to the part; minus infinity
   /// beyond kCoverageReach.
   double depth = -std::numeric_limits<double>::infinity();
   std::size_t pose = 0;  ///< the path's pose at which that happens, or the one nearest to it
 
-  bool isGround() const { return depth >= 0.0; }
+  bool isTouched() const { return depth >= 0.0; }
   bool isNear() const { return depth >= -kCoverageReach; }
 };
 
@@ -36,44 +46,52 @@ struct GroundPoint {
 struct Coverage {
   int blade = 0;
   SideGrid grid;
-  std::string side;                 ///< "convex" or "concave"; "forward" or "backward" if that is unknown
+  /// "convex" or "concave"; "forward" or "backward" if that is unknown; "leading" or "trailing" for an edge
+  std::string side;
   Pose mesh_in_blisk;               ///< from the mesh's frame to the grid's
   double max_depth = 0.0;           ///< the depth that the part may be pressed in, mm
   std::vector<GroundPoint> points;  ///< at the centres of the grid's cells
 
-  /// The ground share of the side's area.
-  double groundShare() const;
+  CellState stateOf(std::size_t cell) const;
+  /// The share of the grid's area in this state.
+  double share(CellState state) const;
+  /// The shares in the order of kCellStates, in percent, rounded to one decimal so that they add up to 100.
+  std::array<double, kCellStates.size()> percents() const;
   /// The first and the last row that the part comes near to over at least half of their length, if any.
   std::optional<std::pair<std::size_t, std::size_t>> reachedRows() const;
   /// The same for the columns, within these rows.
   std::optional<std::pair<std::size_t, std::size_t>> reachedColumns() const;
-  /// The greatest height left between passes, mm: over the points that are not ground but have ground points
-  /// above and below. Infinite if the part stays farther than kCoverageReach from one of them.
+  /// The greatest height left between passes, mm: over the points that are not touched but have touched
+  /// points above and below. Infinite if the part stays farther than kCoverageReach from one of them.
   double scallopHeight() const;
 };
 
-/// The cells of a coverage over a side.
-SideGrid gridOver(const BladeContours& contours, BladeSide side);
+/// The cells of a coverage over a side or an edge.
+SideGrid gridOver(const BladeContours& contours, BladeRegion region);
 
 /// Every pose and every motion of the path counts, whatever its verdict. `threads` as in parallelFor;
 /// the result does not depend on it.
 std::vector<GroundPoint> groundPoints(const SideGrid& grid, const ClusteredOctree& part,
                                       std::span<const Pose> part_in_blisk, int threads = 0);
 
-/// The coverage of the ground blade's side that the grinding part touches at more poses of a path; `convex`
-/// is the convex side, empty if unknown. Empty if the job grinds no blade, or the part touches neither side.
-/// Throws std::invalid_argument if the blade does not exist or its side has no contours.
+/// The coverage of the side or edge of the ground blade that the path is made for: the one nearest to the
+/// tool's origin, the centre of the contact wheel, at most of the poses at which the grinding part touches
+/// the blade. `convex` is the convex side, empty if unknown. Empty if the job grinds no blade, or the part
+/// does not touch it. Throws std::invalid_argument if the blade does not exist or its sides have no contours.
 std::optional<Coverage> coverageOf(const GrindingJob& job, std::span<const Pose> path,
                                    std::optional<BladeSide> convex);
 
-/// "Ground: 62 % of the convex side of blade 1".
+/// "convex side of blade 1", "leading edge of blade 1".
+std::string regionText(const Coverage& coverage);
+
+/// "Ground: 7.8 % of the convex side of blade 1; too deep: 2.2 %, left standing: 45 %, not reached: 45 %".
 std::string groundText(const Coverage& coverage);
 
-/// "not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
+/// "Not reached: root below 0.43 of the height; left between passes: scallops up to 0.02 mm"; may be empty.
 std::string leftText(const Coverage& coverage);
 
-/// Both in one line. Without a coverage, the line says that the path grinds no part of the blade.
-std::string summaryText(const std::optional<Coverage>& coverage, int blade);
+/// Both, each on a line of its own.
+std::string summaryText(const Coverage& coverage);
 
 /// Planes that touch a mesh from outside, with normals spread over all directions, at most 0.045 rad from
 /// any. Immutable.

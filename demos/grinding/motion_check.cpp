@@ -26,6 +26,9 @@ void leaveUnchecked(MotionReport& report) {
   report.fraction = 0.0;
 }
 
+/// The bound of the depth that is looked for, as a multiple of the greatest depth measured on the motion.
+constexpr double kOfMeasured = 1.1;
+
 /// Keeps the earlier of two findings on a motion.
 void keepFirst(MotionReport& report, const MotionReport& found) {
   if (report.hasFinding() && report.fraction <= found.fraction) return;
@@ -42,25 +45,32 @@ struct MotionCheck::DepthHere {
   Vec3 normal = Vec3::Zero();
 };
 
+/// No point is deeper on a section of a motion, mm; and whether it is proved that none exceeds the limit.
+struct MotionCheck::DepthBound {
+  double depth = 0.0;
+  bool is_proved = false;
+};
+
 /// A section of a motion in which a part may touch.
 struct MotionCheck::Stretch {
   Motion motion;                   ///< the whole motion
   MotionReport* report = nullptr;  ///< the findings so far
   std::size_t part = 0;
+  double tolerance = 0.0;         ///< of the part's measured depths, mm
+  bool is_judged = false;         ///< the motion's outcome is known; only the depth is open
   double begin = 0.0, end = 1.0;  ///< fractions of the motion
   DepthHere at_begin = {}, at_end = {};
   /// No point that may touch goes farther on the whole motion. None: not computed yet.
   std::optional<double> path_length = {};
-  bool is_proved = false;
+  std::optional<DepthBound> bound = {};  ///< close enough to the measured depths; none: not found yet
 
   double length() const { return (end - begin) * path_length.value(); }
-  double greatestDepth() const { return std::max(at_begin.depth, at_end.depth); }
   /// Depths are known at both ends; from each end, half of the path length adds to them.
-  double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()); }
+  double depthBound() const { return 0.5 * (at_begin.depth + at_end.depth + length()) + tolerance; }
 
-  void leaveUnproved() const {
-    report->depth_proved = false;
-    report->depth_bound = std::max(report->depth_bound, depthBound());
+  void note(const DepthBound& found) const {
+    report->depth_bound = std::max(report->depth_bound, found.depth);
+    report->depth_proved = report->depth_proved && found.is_proved;
   }
 };
 
@@ -121,14 +131,11 @@ std::vector<MotionReport> MotionCheck::check(std::span<const PoseReport> poses,
   for (const std::vector<Stretch>& of_motion : of_motions)
     open.insert(open.end(), of_motion.begin(), of_motion.end());
   while (!open.empty()) {
-    parallelFor(open.size(), threads_,
-                [&](std::size_t i, std::size_t) { open[i].is_proved = isProved(open[i]); });
+    parallelFor(open.size(), threads_, [&](std::size_t i, std::size_t) { open[i].bound = boundOf(open[i]); });
     for (const Stretch& stretch : open) {
-      if (!stretch.is_proved) continue;
-      double& bound = stretch.report->depth_bound;
-      bound = std::max(bound, rules_.maxDepth(stretch.part));
+      if (stretch.bound) stretch.note(*stretch.bound);
     }
-    std::erase_if(open, [](const Stretch& stretch) { return stretch.is_proved; });
+    std::erase_if(open, [](const Stretch& stretch) { return stretch.bound.has_value(); });
     halve(open);
   }
   return reports;
@@ -170,15 +177,16 @@ std::vector<MotionCheck::Stretch> MotionCheck::stretchesOf(const PoseReport& fro
   std::vector<Stretch> stretches;
   for (std::size_t part = 0; part < parts_.size(); ++part) {
     if (!obstacles_.mayTouchAny(part)) continue;
-    Stretch stretch{.motion = motion, .report = &report, .part = part};
+    Stretch stretch{
+        .motion = motion, .report = &report, .part = part, .tolerance = depths_.toleranceOf(part)};
     const PartDepth *const at_begin = depthInBlisk(from, part), *const at_end = depthInBlisk(to, part);
     if (at_begin) stretch.at_begin = depthHere(*at_begin);
     if (at_end) stretch.at_end = depthHere(*at_end);
-    if (stretch.greatestDepth() > rules_.maxDepth(part)) {
+    const double deepest = std::max(stretch.at_begin.depth, stretch.at_end.depth);
+    report.depth_measured = std::max(report.depth_measured, deepest);
+    if (deepest > rules_.maxDepth(part)) {
       leaveUnchecked(report);
-      stretch.path_length = motion.lengthBound(*parts_[part].tree);
-      stretch.leaveUnproved();
-      continue;
+      stretch.is_judged = true;
     }
     if (!at_begin) {
       const auto met = sweep(*blisk_, *parts_[part].tree, motion, kMotionTolerance);
@@ -202,16 +210,28 @@ MotionCheck::DepthHere MotionCheck::depthHere(const PartDepth& depth) const {
   return {depth.depth, unitNormal(blisk_->mesh().triangle(depth.triangle_of_blisk))};
 }
 
-bool MotionCheck::isProved(const Stretch& stretch) const {
+/// By the proof or by the path length. None: neither bound is close enough to the limit or, where that no
+/// longer decides the outcome, to the measured depths.
+std::optional<MotionCheck::DepthBound> MotionCheck::boundOf(Stretch& stretch) const {
+  const double limit = rules_.maxDepth(stretch.part);
   if (stretch.at_begin.normal.isZero() && stretch.at_end.normal.isZero()) {
     const Motion motion(stretch.motion.at(stretch.begin), stretch.motion.at(stretch.end));
-    return !sweep(*blisk_, *parts_[stretch.part].tree, motion, kMotionTolerance);
+    if (!sweep(*blisk_, *parts_[stretch.part].tree, motion, kMotionTolerance)) return DepthBound{limit, true};
   }
-  const std::optional<DepthProof>& proof = depth_proofs_[stretch.part];
+  const MotionReport& report = *stretch.report;
+  const bool is_behind =
+      report.outcome == MotionReport::Outcome::too_deep && stretch.begin >= report.fraction;
+  const bool is_short = stretch.path_length && stretch.length() <= kDepthStep;
+  const bool is_judged = stretch.is_judged || is_behind || is_short;
+  const double within = is_judged ? std::max(limit, kOfMeasured * report.depth_measured) : limit;
   const Vec3 up = stretch.at_begin.normal + stretch.at_end.normal;
-  return proof && !up.isZero(1e-6) &&
-         proof->holds(stretch.motion, stretch.begin, stretch.end, up.normalized(),
-                      rules_.maxDepth(stretch.part));
+  if (!up.isZero(1e-6) && depth_proofs_[stretch.part]->holds(stretch.motion, stretch.begin, stretch.end,
+                                                             up.normalized(), within)) {
+    return DepthBound{within, within <= limit};
+  }
+  if (!stretch.path_length) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
+  if (stretch.depthBound() > within) return std::nullopt;
+  return DepthBound{stretch.depthBound(), stretch.depthBound() <= limit && depths_.blisk().isClosed()};
 }
 
 /// Its depth between two places could not be measured.
@@ -237,28 +257,17 @@ void MotionCheck::noteTooDeep(std::size_t part, double fraction, const PartDepth
   keepFirst(report, too_deep);
 }
 
-/// Replaces sections with their halves, except those that are short enough or lie after a place that is too
-/// deep.
-void MotionCheck::halve(std::vector<Stretch>& unproved) {
-  constexpr double kHopeful = 0.9;     // fraction of the limit: beyond it a proof is unlikely
-  constexpr double kShortest = 0.125;  // mm
+/// Replaces sections with their halves.
+void MotionCheck::halve(std::vector<Stretch>& open) {
   constexpr double kMinPart = 1.0 / 65536;
   std::vector<Stretch> long_ones;
-  for (Stretch& stretch : unproved) {
-    if (!stretch.path_length) stretch.path_length = lengthOfTouch(stretch.part, stretch.motion);
-    const bool hopeful =
-        depth_proofs_[stretch.part] && stretch.greatestDepth() <= kHopeful * rules_.maxDepth(stretch.part);
-    const MotionReport& report = *stretch.report;
-    const bool is_behind =
-        report.outcome == MotionReport::Outcome::too_deep && stretch.begin >= report.fraction;
-    if (!is_behind && stretch.length() > (hopeful ? kShortest : kDepthStep)) {
-      if (stretch.end - stretch.begin > kMinPart) {
-        long_ones.push_back(std::move(stretch));
-        continue;
-      }
-      if (stretch.length() > kDepthStep) noteUnproved(stretch);
+  for (Stretch& stretch : open) {
+    if (stretch.end - stretch.begin > kMinPart) {
+      long_ones.push_back(std::move(stretch));
+      continue;
     }
-    stretch.leaveUnproved();
+    if (stretch.length() > kDepthStep) noteUnproved(stretch);
+    stretch.note({stretch.depthBound(), false});
   }
   std::vector<std::size_t> parts;
   std::vector<Pose> middles;
@@ -267,20 +276,23 @@ void MotionCheck::halve(std::vector<Stretch>& unproved) {
     middles.push_back(stretch.motion.at(0.5 * (stretch.begin + stretch.end)));
   }
   const auto found = depths_.measure(parts, middles);
-  unproved.clear();
+  open.clear();
   for (std::size_t i = 0; i < long_ones.size(); ++i) {
     Stretch first = std::move(long_ones[i]), second = first;
     const double middle = 0.5 * (first.begin + first.end);
     first.end = second.begin = middle;
     first.at_end = second.at_begin = found[i] ? depthHere(*found[i]) : DepthHere();
+    MotionReport& report = *first.report;
+    report.depth_measured = std::max(report.depth_measured, first.at_end.depth);
     const bool is_free = !found[i] || (found[i]->is_known && !found[i]->is_inside &&
                                        found[i]->depth <= rules_.maxDepth(first.part));
-    unproved.push_back(std::move(first));
-    if (!is_free) {
-      noteTooDeep(second.part, middle, *found[i], *second.report);
-      second.leaveUnproved();
+    if (!is_free && !first.is_judged) noteTooDeep(first.part, middle, *found[i], report);
+    const bool is_known = !found[i] || found[i]->is_known;
+    open.push_back(std::move(first));
+    if (is_known) {
+      open.push_back(std::move(second));
     } else {
-      unproved.push_back(std::move(second));
+      second.note({second.depthBound(), false});
     }
   }
 }

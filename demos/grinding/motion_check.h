@@ -18,9 +18,9 @@ namespace octoblisk::demos {
 inline constexpr double kMotionTolerance = 1e-3;
 
 /// If a part that may touch is not proved to stay within its depth limit (depth_proof.h), its depth is
-/// measured at places at most this far apart, mm, along the path of the points that may touch. Between two
-/// places it may be deeper than at both by half of that path length: MotionReport::depth_bound.
-inline constexpr double kDepthStep = 0.5;
+/// measured at places at most this far apart, mm, along the path of the points that may touch; and closer,
+/// until the bound of its depth is at most 1.1 times the greatest depth measured on the motion, or the limit.
+inline constexpr double kDepthStep = 0.125;
 
 class MotionCheck {
  public:
@@ -33,13 +33,15 @@ class MotionCheck {
   /// Conservative advancement (octoblisk/sweep.h) finds what the motion touches and neither of its poses
   /// does: the tool passes through nothing, and a distance below `clearance` (mm, >= kMotionTolerance) is a
   /// hit. The check also proves that the parts that may touch stay within their depth limits. If it cannot
-  /// prove this for the whole motion, it measures the depth in the middle and checks each half. The answers
-  /// do not depend on the number of threads.
+  /// prove this for the whole motion, it measures the depth in the middle and checks each half. The depth is
+  /// bounded by the same proof for a greater limit, or by the depths at two places and half of the path
+  /// length between them. The answers do not depend on the number of threads.
   std::vector<MotionReport> check(std::span<const PoseReport> poses, std::span<const std::size_t> led_to,
                                   double clearance);
 
  private:
   struct DepthHere;
+  struct DepthBound;
   struct Stretch;
   /// Triangles of a part that may touch, without those near the tool's origin, which turns move little.
   struct FarPart {
@@ -52,8 +54,8 @@ class MotionCheck {
   void sweepMotion(const PoseReport& from, const PoseReport& to, double clearance,
                    MotionReport& report) const;
   std::vector<Stretch> stretchesOf(const PoseReport& from, const PoseReport& to, MotionReport& report) const;
-  bool isProved(const Stretch& stretch) const;
-  void halve(std::vector<Stretch>& unproved);
+  std::optional<DepthBound> boundOf(Stretch& stretch) const;
+  void halve(std::vector<Stretch>& open);
   const PartDepth* depthInBlisk(const PoseReport& pose, std::size_t part) const;
   DepthHere depthHere(const PartDepth& depth) const;
   void noteUnproved(const Stretch& stretch) const;

@@ -65,6 +65,8 @@ DepthKind PartDepths::kindOf(std::size_t part) const {
   return part_surfaces_[part].isClosed() ? DepthKind::of_solids : DepthKind::of_part;
 }
 
+double PartDepths::toleranceOf(std::size_t part) const { return toleranceFor(limits_[part]); }
+
 std::vector<std::vector<PartDepth>> PartDepths::measure(std::span<const Pose> tool_in_blisk) {
   std::vector<std::size_t> parts;
   std::vector<Pose> places;

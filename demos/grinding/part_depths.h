@@ -56,6 +56,8 @@ class PartDepths {
   void remember() { remembers_ = true; }
 
   DepthKind kindOf(std::size_t part) const;
+  /// No point is deeper than a measured depth and this, mm.
+  double toleranceOf(std::size_t part) const;
   const octoblisk::Surface& blisk() const { return blisk_surface_; }
   const octoblisk::Surface& partSurface(std::size_t part) const { return part_surfaces_[part]; }
 

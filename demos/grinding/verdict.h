@@ -79,8 +79,8 @@ struct MotionReport {
   Touch at;               ///< at that fraction
   /// Upper bound of the depth of all parts in the blades that they may touch, mm.
   double depth_bound = 0.0;
-  /// Whether all of these parts are proved to stay within their limits (depth_proof.h). Otherwise one exceeds
-  /// its limit, or the depth was only measured at some places.
+  double depth_measured = 0.0;  ///< the greatest of their measured depths, those at the two poses included
+  /// Whether all of these parts are proved to stay within their limits.
   bool depth_proved = true;
 
   bool hasFinding() const { return outcome != Outcome::free && outcome != Outcome::not_checked; }

@@ -3,56 +3,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/contour_line.h"
 #include "models/require.h"
 
 namespace octoblisk::demos {
-namespace {
-
-/// Half of a contour, parametrised by the fraction of its length.
-class Along {
- public:
-  explicit Along(std::vector<ContourPoint> points) : points_(std::move(points)) {
-    lengths_.push_back(0.0);
-    for (std::size_t k = 1; k < points_.size(); ++k) {
-      lengths_.push_back(lengths_.back() + (points_[k].position - points_[k - 1].position).norm());
-    }
-  }
-
-  ContourPoint at(double part) const {
-    const double length = part * lengths_.back();
-    const auto above = std::ranges::upper_bound(lengths_, length) - lengths_.begin();
-    const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, std::ssize(points_) - 1));
-    const double step = lengths_[k] - lengths_[k - 1];
-    const double within = step > 0.0 ? std::clamp((length - lengths_[k - 1]) / step, 0.0, 1.0) : 0.0;
-    const ContourPoint &from = points_[k - 1], &to = points_[k];
-    return {from.position + within * (to.position - from.position),
-            (from.normal + within * (to.normal - from.normal)).normalized()};
-  }
-
- private:
-  std::vector<ContourPoint> points_;
-  std::vector<double> lengths_;
-};
-
-}  // namespace
-
-SideGrid::SideGrid(const BladeContours& contours, BladeSide side, int rows, int columns) : side_(side) {
+SideGrid::SideGrid(const BladeContours& contours, BladeRegion region, int rows, int columns)
+    : region_(region) {
   require(rows > 0 && columns > 0, "the numbers of rows and columns must be above 0");
   rows_ = static_cast<std::size_t>(rows);
   columns_ = static_cast<std::size_t>(columns);
   const auto lineAt = [&](double height) {
     constexpr double kEnd = 1e-3;  // contours end at root and tip, which are corners of the mesh
-    BladeContour contour = contours.at(std::clamp(height, kEnd, 1.0 - kEnd));
-    return Along(std::move(side == BladeSide::forward ? contour.forward : contour.backward));
+    return regionLine(contours.at(std::clamp(height, kEnd, 1.0 - kEnd)), region, kEdgeReach);
   };
   for (std::size_t row = 0; row <= rows_; ++row) {
-    const Along line = lineAt(static_cast<double>(row) / rows);
+    const ContourLine line = lineAt(static_cast<double>(row) / rows);
     for (std::size_t column = 0; column <= columns_; ++column) {
       corners_.push_back(line.at(static_cast<double>(column) / columns).position);
     }
   }
   for (std::size_t row = 0; row < rows_; ++row) {
-    const Along line = lineAt(middle(row, rows_));
+    const ContourLine line = lineAt(middle(row, rows_));
     for (std::size_t column = 0; column < columns_; ++column)
       middles_.push_back(line.at(middle(column, columns_)));
   }

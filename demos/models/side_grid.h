@@ -1,22 +1,24 @@
-// A grid of points over one side of a blade.
+// A grid of points over a side or an edge of a blade.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "models/blade_contours.h"
-#include "models/blade_surface.h"
+#include "models/blade_region.h"
 
 namespace octoblisk::demos {
 
-/// Cells of equal steps over the height (root 0, tip 1) and over the chord (leading edge 0, trailing edge 1),
-/// which is measured along the contours of equal height. They are ordered row by row, the lowest first.
+/// Cells of equal steps over the height (root 0, tip 1) and along the region's lines of equal height
+/// (blade_region.h). On a side, the fraction of a line is that of the chord. The cells are ordered row by
+/// row, the lowest first.
 class SideGrid {
  public:
-  /// Throws as BladeContours::at; rows and columns must be above 0.
-  SideGrid(const BladeContours& contours, BladeSide side, int rows, int columns);
+  /// Throws as BladeContours::at and regionLine; rows and columns must be above 0. An edge's region reaches
+  /// kEdgeReach to either side.
+  SideGrid(const BladeContours& contours, BladeRegion region, int rows, int columns);
 
-  BladeSide side() const { return side_; }
+  BladeRegion region() const { return region_; }
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
   std::size_t size() const { return middles_.size(); }
@@ -37,7 +39,7 @@ class SideGrid {
   }
   std::size_t corner(std::size_t row, std::size_t column) const { return row * (columns_ + 1) + column; }
 
-  BladeSide side_;
+  BladeRegion region_;
   std::size_t rows_, columns_;
   std::vector<Vec3> corners_;
   std::vector<ContourPoint> middles_;

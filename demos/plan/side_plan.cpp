@@ -83,7 +83,7 @@ class Planner {
     PoseState state = {};
   };
 
-  bool isLeft(std::size_t cell) const { return !plan_.points[cell].isGround(); }
+  bool isLeft(std::size_t cell) const { return !plan_.points[cell].isTouched(); }
 
   std::vector<std::size_t> cellsLeft() const {
     std::vector<std::size_t> cells;
@@ -235,7 +235,7 @@ class Planner {
     const std::vector<GroundPoint> points = pointsOf(linked.poses);
     double ground = 0.0;
     for (const std::size_t cell : cellsLeft()) {
-      if (points[cell].isGround()) ground += grid_.areaOf(cell) / area_;
+      if (points[cell].isTouched()) ground += grid_.areaOf(cell) / area_;
     }
     use.is_exhausted = ground < kLeastSetup;
     if (use.is_exhausted) return;

@@ -1,4 +1,4 @@
-// Plans a path that grinds as much of a blade's side as the tool can reach.
+// Plans a path that grinds as much of a side or an edge of a blade as the tool can reach.
 #pragma once
 
 #include <cstddef>

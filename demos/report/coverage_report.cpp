@@ -4,53 +4,56 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
+#include <span>
 #include <sstream>
 #include <vector>
 
 #include "io/new_file.h"
+#include "io/number_text.h"
 #include "render/picture.h"
 #include "render/side_map.h"
 
 namespace octoblisk::demos {
 namespace {
 
-/// A step of the colour scale: depths up to this fraction of the limit.
+/// A step of the colour scale: cells in a state, and of these the ones up to a depth, mm. A negative depth is
+/// material left standing.
 struct DepthStep {
+  CellState state;
   double most;
   Color color;
-  const char* text;
+  std::string text;
 };
-constexpr std::array kDepthSteps = {DepthStep{0.0, palette::kYellow, "left standing, by up to 0.5 mm"},
-                                    DepthStep{0.25, {0.75f, 0.87f, 0.66f}, "ground, up to 1/4 of the limit"},
-                                    DepthStep{0.5, {0.45f, 0.76f, 0.55f}, "1/2"},
-                                    DepthStep{1.0, {0.10f, 0.52f, 0.40f}, "the limit"},
-                                    DepthStep{1e300, palette::kVermilion, "deeper"}};
-constexpr Color kNotReached = palette::kSteel;
-constexpr std::size_t kColors = kDepthSteps.size() + 1;
 
-/// 0: not reached; otherwise one more than the index of the step.
-std::size_t colorIndexOf(const GroundPoint& point, double limit) {
-  if (!point.isNear()) return 0;
-  if (!point.isGround()) return 1;
-  const auto reaches = [&](const DepthStep& step) { return point.depth <= step.most * limit; };
-  const auto step = std::find_if(kDepthSteps.begin() + 1, kDepthSteps.end() - 1, reaches);
-  return 1 + static_cast<std::size_t>(step - kDepthSteps.begin());
+/// The greater the depth, the later the step.
+std::vector<DepthStep> depthStepsFor(double limit) {
+  using enum CellState;
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  constexpr double kFar = 0.1, kNear = 0.02;  // mm: a scallop, a facet's distance from the smooth blade
+  const auto upTo = [](double depth) { return "up to " + shortText(depth) + " mm"; };
+  return {{not_reached, kAny, palette::kSteel, nameOf(not_reached)},
+          {left_standing, -kFar, palette::kSand, nameOf(left_standing) + ", " + upTo(kCoverageReach)},
+          {left_standing, -kNear, palette::kYellow, upTo(kFar)},
+          {left_standing, kAny, {0.98f, 0.96f, 0.75f}, upTo(kNear)},
+          {ground, 0.25 * limit, {0.75f, 0.87f, 0.66f}, nameOf(ground) + ", " + upTo(0.25 * limit) + " deep"},
+          {ground, 0.5 * limit, {0.45f, 0.76f, 0.55f}, upTo(0.5 * limit)},
+          {ground, kAny, {0.10f, 0.52f, 0.40f}, upTo(limit)},
+          {too_deep, kAny, palette::kVermilion, nameOf(too_deep)}};
 }
 
-Color colorOf(std::size_t index) { return index == 0 ? kNotReached : kDepthSteps[index - 1].color; }
-const char* nameOf(std::size_t index) { return index == 0 ? "not reached" : kDepthSteps[index - 1].text; }
+std::size_t stepOf(const Coverage& coverage, std::size_t cell, std::span<const DepthStep> steps) {
+  const auto step = std::ranges::find_if(steps, [&](const DepthStep& each) {
+    return each.state == coverage.stateOf(cell) && coverage.points[cell].depth <= each.most;
+  });
+  return static_cast<std::size_t>(step - steps.begin());
+}
 
 std::string hexOf(const Color& color) {
   std::ostringstream text;
   text << '#' << std::hex << std::setfill('0');
   for (const float value : {color.r, color.g, color.b}) text << std::setw(2) << std::lround(255.0f * value);
   return text.str();
-}
-
-const char* stateOf(const GroundPoint& point, double limit) {
-  if (!point.isNear()) return "not reached";
-  if (!point.isGround()) return "left standing";
-  return point.depth <= limit ? "ground" : "too deep";
 }
 
 }  // namespace
@@ -65,7 +68,7 @@ void writeCoverage(const Coverage& coverage, const std::filesystem::path& file) 
     const Vec3 place = blisk_in_mesh * coverage.grid.middleOf(cell).position;
     stream << coverage.grid.heightOf(cell) << ',' << coverage.grid.chordOf(cell) << ',' << place.x() << ','
            << place.y() << ',' << place.z() << ',' << coverage.grid.areaOf(cell) << ','
-           << stateOf(point, coverage.max_depth) << ',';
+           << nameOf(coverage.stateOf(cell)) << ',';
     if (point.isNear()) stream << point.depth << ',' << point.pose;
     if (!point.isNear()) stream << ',';
     stream << '\n';
@@ -78,6 +81,7 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
   const auto distanceBetween = [&](std::size_t a, std::size_t b) {
     return (grid.middleOf(a).position - grid.middleOf(b).position).norm();
   };
+  const std::vector<DepthStep> steps = depthStepsFor(coverage.max_depth);
   std::vector<MapCell> cells;
   const std::size_t amid = grid.columns() / 2;
   double above = 0.0;  // height of the row's lower edge
@@ -90,7 +94,7 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
     const double half_width = 0.5 * length / static_cast<double>(grid.columns() - 1);
     for (std::size_t k = 0; k < grid.columns(); ++k) {
       cells.push_back({(2.0 * static_cast<double>(k) + 1.0) * half_width, above + half_height, half_width,
-                       half_height, colorOf(colorIndexOf(coverage.points[begin + k], coverage.max_depth))});
+                       half_height, steps[stepOf(coverage, begin + k, steps)].color});
     }
     above += 2.0 * half_height;
   }
@@ -98,11 +102,11 @@ Image coveragePicture(const Coverage& coverage, int width, int height) {
   std::ostringstream subtitle;
   const std::string left = leftText(coverage);
   if (!left.empty()) subtitle << left << "; ";
-  subtitle << "horizontal: arc length from the leading edge, vertical: height above the root";
+  subtitle << "horizontal: arc length from the "
+           << (isEdge(grid.region()) ? "backward to the forward side" : "leading edge")
+           << ", vertical: height above the root";
   annotation.subtitle = subtitle.str();
-  for (std::size_t index = 0; index < kColors; ++index) {
-    annotation.legend.push_back({colorOf(index), nameOf(index)});
-  }
+  for (const DepthStep& step : steps) annotation.legend.push_back({step.color, step.text});
   return sideMap(cells, annotation, width, height);
 }
 
@@ -117,12 +121,16 @@ ReplaySide coverageOnBlade(const Coverage& coverage) {
     const Vec3& normal = grid.middleOf(row * grid.columns() + column).normal;
     side.corners.push_back(blisk_in_mesh * Vec3(grid.corners()[corner] + kLift * normal));
   }
-  for (const GroundPoint& point : coverage.points) {
-    side.color_of_cell.push_back(static_cast<std::uint8_t>(colorIndexOf(point, coverage.max_depth)));
+  const std::vector<DepthStep> steps = depthStepsFor(coverage.max_depth);
+  for (std::size_t cell = 0; cell < coverage.points.size(); ++cell) {
+    side.color_of_cell.push_back(static_cast<std::uint8_t>(stepOf(coverage, cell, steps)));
   }
-  for (std::size_t index = 0; index < kColors; ++index) {
-    side.colors.push_back({hexOf(colorOf(index)), nameOf(index)});
-  }
+  for (const DepthStep& step : steps) side.colors.push_back({hexOf(step.color), step.text});
+  side.region = regionText(coverage);
+  constexpr std::array kTones = {Tone::intended, Tone::interference, Tone::near, Tone::clear};
+  const auto percents = coverage.percents();
+  for (std::size_t k = 0; k < percents.size(); ++k)
+    side.shares.push_back({nameOf(kCellStates[k]), percents[k], kTones[k]});
   return side;
 }
 

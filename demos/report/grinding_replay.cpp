@@ -5,6 +5,7 @@
 
 #include "grinding/motion_check.h"
 #include "io/number_text.h"
+#include "report/coverage_report.h"
 #include "report/grinding_pictures.h"
 #include "report/grinding_report.h"
 #include "report/versions.h"
@@ -83,7 +84,9 @@ std::string titleOf(const GrindingRun& run) {
     return "Depth unknown at " + ofPoses(unknown, run.poses.size()) + (motions == 0 ? "" : on_motions);
   }
   if (motions > 0) return "Interference on " + on_motions;
-  return "No interference at " + countedText(run.poses.size(), "pose", "poses");
+  const std::string none = "No interference at " + countedText(run.poses.size(), "pose", "poses");
+  const std::size_t open = run.motionCount() - run.depthsProved();
+  return open == 0 ? none : none + ", depth not proved on " + countedText(open, "motion", "motions");
 }
 
 std::string subtitleOf(const GrindingRun& run) {
@@ -221,11 +224,15 @@ std::vector<Table> grindingFacts(const GrindingRun& run) {
   return {partsTable(run), limitsTable(run), inputTable(run), versionsTable()};
 }
 
-Replay grindingReplay(const GrindingRun& run) {
+Replay grindingReplay(const GrindingRun& run, const std::optional<Coverage>& coverage) {
   Replay replay;
   replay.command = "grind";
   replay.title = titleOf(run);
   replay.subtitle = subtitleOf(run);
+  if (coverage) {
+    replay.title += ". " + groundText(*coverage);
+    replay.side = coverageOnBlade(*coverage);
+  }
   replay.findings_title = "Poses and motions with interference or near misses";
   replay.findings_value = "Depth, mm";
   replay.no_findings = "No interference, and no near miss.";

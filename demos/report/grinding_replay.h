@@ -1,9 +1,11 @@
 // Shows a grinding run as a replay.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "grinding/coverage.h"
 #include "grinding/grinding_run.h"
 #include "report/replay.h"
 
@@ -22,7 +24,7 @@ ReplayChart clearanceChart(const GrindingRun& run);
 /// Parts, limits and tolerances, files, tree, versions.
 std::vector<Table> grindingFacts(const GrindingRun& run);
 
-/// For a run with at least one pose.
-Replay grindingReplay(const GrindingRun& run);
+/// For a run with at least one pose. A coverage is part of the title, and its cells are drawn on the blade.
+Replay grindingReplay(const GrindingRun& run, const std::optional<Coverage>& coverage = {});
 
 }  // namespace octoblisk::demos

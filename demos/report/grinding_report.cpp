@@ -212,9 +212,15 @@ nlohmann::ordered_json coverageJson(const std::optional<Coverage>& coverage) {
   const auto part = [](std::size_t line, std::size_t count) {
     return static_cast<double>(line) / static_cast<double>(count);
   };
-  nlohmann::ordered_json json = {
-      {"blade", coverage->blade},  {"side", coverage->side},   {"ground_share", coverage->groundShare()},
-      {"height_reached", nullptr}, {"chord_reached", nullptr}, {"left_between_passes_mm", nullptr}};
+  nlohmann::ordered_json json = {{"blade", coverage->blade},
+                                 {"side", coverage->side},
+                                 {"ground_share", coverage->share(CellState::ground)},
+                                 {"too_deep_share", coverage->share(CellState::too_deep)},
+                                 {"left_standing_share", coverage->share(CellState::left_standing)},
+                                 {"not_reached_share", coverage->share(CellState::not_reached)},
+                                 {"height_reached", nullptr},
+                                 {"chord_reached", nullptr},
+                                 {"left_between_passes_mm", nullptr}};
   if (const auto rows = coverage->reachedRows()) {
     json["height_reached"] = {part(rows->first, grid.rows()), part(rows->second + 1, grid.rows())};
   }
@@ -359,6 +365,11 @@ std::string summaryText(const GrindingRun& run) {
   if (const std::size_t unknown = run.count(Verdict::unknown); unknown > 0) {
     text << ", " << unknown << " unknown (the depth is unknown: the blisk's mesh has a hole near the tool)";
   }
+  if (!run.interferes() && run.depthsProved() < run.motionCount()) {
+    text << "; depth not proved on "
+         << countedText(run.motionCount() - run.depthsProved(), "motion", "motions") << ": at most "
+         << shortText(run.depthBound()) << " mm";
+  }
   text << '\n';
   if (run.job.blisk->options().partition == PartitionKind::paper) {
     text << "Partition: " << partitionText(run.job.blisk->options()) << "; tree built in " << run.tree_seconds
@@ -383,7 +394,7 @@ std::string depthOnMotions(const GrindingRun& run) {
   text << "proved within the limit on " << proved << " of " << motions
        << (motions == 1 ? " motion" : " motions");
   if (proved == motions) return text.str();
-  text << "; not proved on the others, but at most " << run.depthBound() << " mm";
+  text << "; not proved on the others, but at most " << shortText(run.depthBound()) << " mm";
   return text.str();
 }
 

@@ -94,6 +94,13 @@ struct ReplayCount {
   Tone tone = Tone::clear;
 };
 
+/// A share of a whole, in percent.
+struct ReplayShare {
+  std::string name{};
+  double percent = 0.0;
+  Tone tone = Tone::clear;
+};
+
 /// Coloured cells over a blade's side.
 struct ReplaySide {
   struct Color {
@@ -104,6 +111,8 @@ struct ReplaySide {
   std::vector<Vec3> corners{};  ///< row by row, columns + 1 in each, a little off the blade
   std::vector<std::uint8_t> color_of_cell{};
   std::vector<Color> colors{};
+  std::string region{};               ///< "convex side of blade 1"
+  std::vector<ReplayShare> shares{};  ///< of the region
 };
 
 struct Replay {

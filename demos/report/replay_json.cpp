@@ -70,7 +70,13 @@ PageJson sideJson(const ReplaySide& side) {
   }
   PageJson colors = PageJson::array();
   for (const auto& [color, name] : side.colors) colors.push_back({{"color", color}, {"name", name}});
+  PageJson shares = PageJson::array();
+  for (const ReplayShare& share : side.shares) {
+    shares.push_back({{"name", share.name}, {"percent", share.percent}, {"tone", nameOf(share.tone)}});
+  }
   return {{"name", side.name},
+          {"region", side.region},
+          {"shares", shares},
           {"columns", side.columns},
           {"box", boxJson(box)},
           {"vertices", base64Of(steps)},

@@ -5,38 +5,18 @@
 #include <vector>
 
 #include "models/blade_contours.h"
-#include "toolpath/path_steps.h"
+#include "models/contour_line.h"
+#include "models/running_sum.h"
 #include "toolpath/surface_path.h"
 
 namespace octoblisk::demos {
-
-/// In mm.
-double distanceBetween(const ContourPoint& a, const ContourPoint& b);
 
 /// The number of steps from one pose to the next, at the greatest step of the options in distance or in turn,
 /// whichever needs more steps.
 double stepsBetween(const ContourPoint& a, const ContourPoint& b, const SurfacePathOptions& options);
 
-/// The section of a contour inside the region. Lengths in mm.
-class GroundLine {
- public:
-  explicit GroundLine(std::vector<ContourPoint> points);
-
-  double length() const { return lengths_.whole(); }
-
-  /// At a fraction 0..1 of the length.
-  ContourPoint at(double part) const;
-
-  /// The points between two lengths, and the points at the two lengths.
-  std::vector<ContourPoint> cut(double from, double to) const;
-
-  /// The contacts, as fractions 0..1 of the length.
-  std::vector<double> contacts(const SurfacePathOptions& options) const;
-
- private:
-  std::vector<ContourPoint> points_;
-  RunningSum lengths_;
-};
+/// The contacts on a line, as fractions 0..1 of its length.
+std::vector<double> contactsOn(const ContourLine& line, const SurfacePathOptions& options);
 
 /// Lines of equal height, from the tip inwards.
 class GroundRegion {
@@ -52,15 +32,14 @@ class GroundRegion {
   RunningSum progress(const Measure& measure) const;
 
   /// The line at which a progress reaches this fraction of its total.
-  GroundLine lineAt(const RunningSum& progress, double part) const;
+  ContourLine lineAt(const RunningSum& progress, double part) const;
 
  private:
-  GroundLine line(double part) const;
-  GroundLine roundTheEdge(const BladeContour& contour) const;
+  ContourLine line(double part) const;
 
   const BladeContours& blade_;
   const SurfacePathOptions& options_;
-  std::vector<GroundLine> probes_;
+  std::vector<ContourLine> probes_;
 };
 
 }  // namespace octoblisk::demos

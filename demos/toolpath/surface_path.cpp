@@ -21,7 +21,7 @@ namespace {
 Pose poseTouching(const ContourPoint& point, const SurfacePathOptions& options) {
   const Vec3& normal = point.normal;
   const Vec3 up = armInSurface(options.arm, point.position, normal);
-  const double towards_trailing = options.region == PathRegion::backward ? -1.0 : 1.0;
+  const double towards_trailing = options.region == BladeRegion::backward ? -1.0 : 1.0;
   const double lead = radians(options.lead);
   const Vec3 in_surface = std::cos(lead) * up + towards_trailing * std::sin(lead) * up.cross(normal);
   return beltAt(point.position, normal, in_surface, radians(options.tilt),
@@ -78,8 +78,8 @@ void addTransversal(const GroundRegion& region, const SurfacePathOptions& option
   const int links = steps > 0 ? stepsFor(across.whole() / steps / options.pose_step) : 0;
   for (int pass = 0; pass <= steps; ++pass) {
     const bool goes_back = pass % 2 == 1;
-    const GroundLine line = region.lineAt(across, evenPart(pass, steps + 1));
-    std::vector<double> parts = line.contacts(options);
+    const ContourLine line = region.lineAt(across, evenPart(pass, steps + 1));
+    std::vector<double> parts = contactsOn(line, options);
     if (goes_back) std::reverse(parts.begin(), parts.end());
     for (const double part : parts) passes.touch(line.at(part), pass);
     for (int k = 1; pass < steps && k < links; ++k) {
@@ -94,7 +94,7 @@ void addLongitudinal(const GroundRegion& region, const SurfacePathOptions& optio
   const RunningSum along = region.progress(
       [&](const ContourPoint& a, const ContourPoint& b) { return stepsBetween(a, b, options); });
   const int rows = stepsFor(along.whole()) + 1;
-  std::vector<GroundLine> lines;
+  std::vector<ContourLine> lines;
   for (int row = 0; row < rows; ++row) {
     lines.push_back(region.lineAt(along, evenPart(row, rows)));
   }
@@ -105,8 +105,8 @@ void addLongitudinal(const GroundRegion& region, const SurfacePathOptions& optio
     for (int row = 0; row < rows; ++row) passes.touch(lines[goes_back ? rows - 1 - row : row].at(part), pass);
     if (pass == steps) break;
     const double next = evenPart(pass + 1, steps + 1);
-    const GroundLine& end = lines[goes_back ? 0 : rows - 1];
-    for (const double at : end.contacts(options)) {
+    const ContourLine& end = lines[goes_back ? 0 : rows - 1];
+    for (const double at : contactsOn(end, options)) {
       if (at > part && at < next) passes.touch(end.at(at), kLink);
     }
   }
@@ -126,7 +126,7 @@ void requireOptions(const SurfacePathOptions& options) {
   require(options.height_from <= options.height_to,
           "the lower end of the height must not be above the upper end");
   require(options.edge_margin >= 0.0, "the margin along the edges must be at least 0 mm");
-  require(isAbove0(options.edge_reach), "the reach around the leading edge must be above 0 mm");
+  require(isAbove0(options.edge_reach), "the reach around an edge must be above 0 mm");
   require(isAbove0(options.wheel_radius), "the wheel radius must be above 0 mm");
   require(std::abs(options.depth) < options.wheel_radius, "the depth must be below the wheel radius");
   require(std::isfinite(options.retract) && options.retract >= 0.0, "the retraction must be at least 0 mm");

@@ -1,18 +1,16 @@
-// Toolpaths of the belt along the side or the leading edge of a blade.
+// Toolpaths of the belt along a side or an edge of a blade.
 #pragma once
 
 #include <vector>
 
 #include "models/belt_grinder.h"
 #include "models/blade_contours.h"
-#include "models/blade_surface.h"
+#include "models/blade_region.h"
 #include "toolpath/path_arm.h"
 #include "toolpath/tool_motion.h"
 #include "toolpath/wheel_seat.h"
 
 namespace octoblisk::demos {
-
-enum class PathRegion { forward, backward, leading_edge };
 
 /// Longitudinal passes run along the blade's length, root to tip; transversal passes run along its chord, or
 /// around the edge if that is ground.
@@ -20,7 +18,7 @@ enum class PathPattern { longitudinal, transversal };
 
 /// Lengths in mm, angles in degrees.
 struct SurfacePathOptions {
-  PathRegion region = PathRegion::forward;
+  BladeRegion region = BladeRegion::forward;
   PathPattern pattern = PathPattern::transversal;
   PathArm arm = PathArm::outward;  ///< the direction in which the arm leaves the blades
   double step_over = 5.0;          ///< greatest distance from pass to pass, along the surface
@@ -31,9 +29,9 @@ struct SurfacePathOptions {
   double greatest_turn = 5.0;  ///< of the surface's normal from contact to contact
   double height_from = 0.45;   ///< fraction of the blade's length: root 0, tip 1
   double height_to = 0.97;
-  double edge_margin = 5.0;  ///< width left out along a side's leading and trailing edge
-  double edge_reach = 3.0;   ///< reach of the passes to either side of the leading edge, along the surface
-  double depth = 0.02;       ///< to which the belt is pressed into the surface
+  double edge_margin = 5.0;        ///< width left out along a side's leading and trailing edge
+  double edge_reach = kEdgeReach;  ///< reach of the passes to either side of an edge, along the surface
+  double depth = 0.02;             ///< to which the belt is pressed into the surface
   double wheel_radius =
       BeltParameters{}.contact_wheel_radius + BeltParameters{}.thickness;  ///< with the belt
   double retract = 60.0;  ///< length of the rapid approach and retraction, along the arm
@@ -52,8 +50,8 @@ struct SurfacePath {
 /// arm leads outward. Then
 ///   a = cos(lead) a₀ + sin(lead) s,  x = cos(tilt) a + sin(tilt) n (the arm),  z = a × n (the wheel's axis),
 ///   origin = p + (R − depth) n,
-/// On the convex or concave side, the sign of s is chosen so that s leads to the trailing edge; on the
-/// leading edge it stays as it is. Poses are in the contours' frame, whose Z is the blisk's axis. With a
+/// On the convex or concave side, the sign of s is chosen so that s leads to the trailing edge; on an
+/// edge it stays as it is. Poses are in the contours' frame, whose Z is the blisk's axis. With a
 /// seat, they are then shifted along n until the wheel, at its full width, is no deeper in the blade than the
 /// depth: on a hollow side a wide wheel would cut with its edges.
 ///

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -16,6 +18,7 @@
 #include "octoblisk/containment.h"
 #include "octoblisk/motion.h"
 #include "toolpath/grinding_path.h"
+#include "toolpath/surface_path.h"
 
 namespace octoblisk::demos {
 namespace {
@@ -34,7 +37,7 @@ const Side& side() {
 }
 
 TEST(SideGrid, liesOnTheSideAndHasItsArea) {
-  const SideGrid grid(side().contours, BladeSide::forward, 40, 50);
+  const SideGrid grid(side().contours, BladeRegion::forward, 40, 50);
   ASSERT_EQ(grid.size(), 2000u);
   const auto tree = treeOf(side().mesh);
   const TriangleMesh cells = grid.mesh();
@@ -86,7 +89,7 @@ TEST(SupportPlanes, noVertexIsAboveOne_vs_bruteforce) {
 }
 
 TEST(Coverage, points_vs_bruteforce) {
-  const SideGrid grid(side().contours, BladeSide::forward, 40, 12);
+  const SideGrid grid(side().contours, BladeRegion::forward, 40, 12);
   const auto belt = treeOf(embeddedBeltGrinder().front().mesh);
   const octoblisk::Surface surface(*belt);
   const std::vector<Pose> path = makeGrindingPath(side().mesh, side().blades,
@@ -133,11 +136,13 @@ TEST(Coverage, points_vs_bruteforce) {
   EXPECT_GT(near, 10);
 }
 
-Coverage coverageByHand(const std::function<double(double height, double chord)>& depth) {
+Coverage coverageByHand(const std::function<double(double height, double chord)>& depth,
+                        BladeRegion region = BladeRegion::forward, const char* name = "convex") {
   Coverage coverage{.blade = 1,
-                    .grid = SideGrid(side().contours, BladeSide::forward, 10, 10),
-                    .side = "convex",
+                    .grid = SideGrid(side().contours, region, 10, 10),
+                    .side = name,
                     .mesh_in_blisk = {},
+                    .max_depth = 0.1,
                     .points = std::vector<GroundPoint>(100)};
   for (std::size_t cell = 0; cell < 100; ++cell) {
     coverage.points[cell].depth = depth(coverage.grid.heightOf(cell), coverage.grid.chordOf(cell));
@@ -147,44 +152,139 @@ Coverage coverageByHand(const std::function<double(double height, double chord)>
 
 TEST(Coverage, wordsByHand) {
   const Coverage all = coverageByHand([](double, double) { return 0.01; });
-  EXPECT_DOUBLE_EQ(all.groundShare(), 1.0);
-  EXPECT_EQ(groundText(all), "Ground: 100 % of the convex side of blade 1");
+  EXPECT_DOUBLE_EQ(all.share(CellState::ground), 1.0);
+  EXPECT_EQ(
+      groundText(all),
+      "Ground: 100 % of the convex side of blade 1; too deep: 0 %, left standing: 0 %, not reached: 0 %");
   EXPECT_EQ(leftText(all), "");
   constexpr double kFar = -std::numeric_limits<double>::infinity();
   const Coverage some = coverageByHand([](double height, double chord) {
     if (height < 0.3 || chord > 0.8) return kFar;
     return std::abs(height - 0.55) < 0.01 ? -0.02 : 0.01;  // a scallop
   });
-  EXPECT_LT(some.groundShare(), 0.6);
-  EXPECT_GT(some.groundShare(), 0.3);
   EXPECT_DOUBLE_EQ(some.scallopHeight(), 0.02);
   EXPECT_EQ(leftText(some),
-            "not reached: root below 0.3 of the height, trailing edge beyond 0.8 of the chord; left between "
+            "Not reached: root below 0.3 of the height, trailing edge beyond 0.8 of the chord; left between "
             "passes: scallops up to 0.02 mm");
   const Coverage gap =
       coverageByHand([](double height, double) { return height > 0.4 && height < 0.6 ? kFar : 0.0; });
-  EXPECT_THAT(leftText(gap), HasSubstr("left between passes: more than 0.5 mm"));
+  EXPECT_EQ(leftText(gap), "Left between passes: more than 0.5 mm");
+  const Coverage edge = coverageByHand([](double, double chord) { return chord < 0.2 ? kFar : 0.0; },
+                                       BladeRegion::trailing_edge, "trailing");
+  EXPECT_THAT(groundText(edge), HasSubstr(" % of the trailing edge of blade 1; "));
+  EXPECT_EQ(leftText(edge), "Not reached: backward side before 0.2 of the width");
 }
 
-TEST(Coverage, ofARunIsOfTheSideThatTheBeltTouches) {
+TEST(Coverage, theFourSharesAddUpToTheWholeArea) {
+  std::mt19937_64 random(62);
+  std::uniform_real_distribution<double> depth(-0.8, 0.4);
+  for (int i = 0; i < 20; ++i) {
+    const Coverage coverage = coverageByHand([&](double, double) { return depth(random); });
+    std::array<double, 4> areas = {};
+    double area = 0.0;
+    for (std::size_t cell = 0; cell < coverage.grid.size(); ++cell) {
+      const double here = coverage.points[cell].depth;
+      areas[here < -0.5                 ? 3
+            : here < 0.0                ? 2
+            : here > coverage.max_depth ? 1
+                                        : 0] += coverage.grid.areaOf(cell);
+      area += coverage.grid.areaOf(cell);
+    }
+    const std::array<double, 4> percents = coverage.percents();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_GT(areas[k], 0.0);
+      EXPECT_NEAR(coverage.share(kCellStates[k]), areas[k] / area, 1e-12);
+      EXPECT_NEAR(percents[k], 100.0 * areas[k] / area, 0.1);
+      sum += percents[k];
+    }
+    EXPECT_NEAR(sum, 100.0, 1e-9);
+  }
+}
+
+TEST(SideGrid, anEdgeHasItsReachOnBothSides) {
+  for (const BladeRegion region : {BladeRegion::leading_edge, BladeRegion::trailing_edge}) {
+    const SideGrid grid(side().contours, region, 20, 6);
+    const auto tree = treeOf(side().mesh);
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+      const BladeContour contour = side().contours.at(grid.heightOf(row * 6));
+      const Vec3 edge = region == BladeRegion::leading_edge ? contour.forward.front().position
+                                                            : contour.forward.back().position;
+      for (std::size_t column = 0; column < 6; ++column) {
+        const Vec3& middle = grid.middleOf(row * 6 + column).position;
+        EXPECT_LT(closestPoint(*tree, middle)->distance, 1e-6);
+        const double along = std::abs(static_cast<double>(column) - 2.5);  // mm from the edge
+        EXPECT_LE((middle - edge).norm(), along + 1e-6);
+        EXPECT_GE((middle - edge).norm(), 0.7 * along - 0.3);
+      }
+    }
+    const Vec3 backward = grid.middleOf(0).position, forward = grid.middleOf(5).position;
+    EXPECT_GT((forward - backward).dot(Vec3(-forward.y(), forward.x(), 0.0)), 0.0);
+  }
+}
+
+GrindingJob jobOfBuiltIn() {
   GrindingJob job;
   job.blisk = treeOf(side().mesh);
   job.blades = side().blades;
   for (EmbeddedPart& part : embeddedBeltGrinder()) job.parts.push_back({part.name, treeOf(part.mesh)});
   job.rules.near_miss = 0.5;
   job.continuous = false;
-  for (const bool forward : {true, false}) {
-    job.path =
-        makeGrindingPath(side().mesh, side().blades,
-                         {.passes = 2, .poses_per_pass = 10, .forward_side = forward, .retract_poses = 1});
-    const auto coverage = coverageOf(job, job.path, std::nullopt);
-    ASSERT_TRUE(coverage);
-    EXPECT_EQ(coverage->side, forward ? "forward" : "backward");
-    EXPECT_GT(coverage->groundShare(), 0.01);
-    EXPECT_LT(coverage->groundShare(), 0.5);
+  return job;
+}
+
+std::vector<Pose> posesOf(const SurfacePathOptions& options) {
+  std::vector<Pose> poses;
+  for (const ToolMotion& motion : makeSurfacePath(side().contours, options).motions)
+    poses.push_back(motion.tool_in_blisk);
+  return poses;
+}
+
+TEST(Coverage, isOfTheRegionThatThePathIsMadeFor) {
+  GrindingJob job = jobOfBuiltIn();
+  const std::pair<BladeRegion, const char*> regions[] = {{BladeRegion::forward, "forward"},
+                                                         {BladeRegion::backward, "backward"},
+                                                         {BladeRegion::leading_edge, "leading"},
+                                                         {BladeRegion::trailing_edge, "trailing"}};
+  for (const auto& [region, name] : regions) {
+    // A belt that is pressed through the blade touches the other side as often.
+    for (const double depth : {0.05, 3.0}) {
+      job.path = posesOf({.region = region, .step_over = 20.0, .pose_step = 8.0, .depth = depth});
+      const auto coverage = coverageOf(job, job.path, std::nullopt);
+      ASSERT_TRUE(coverage);
+      EXPECT_EQ(coverage->side, name) << depth;
+      EXPECT_GT(coverage->share(CellState::ground) + coverage->share(CellState::too_deep), 0.01);
+      if (depth == 3.0) {
+        EXPECT_GT(coverage->share(CellState::too_deep), coverage->share(CellState::ground)) << name;
+      }
+    }
   }
   for (Pose& pose : job.path) pose.translation += Vec3(0, 0, 500);
   EXPECT_FALSE(coverageOf(job, job.path, std::nullopt));
+}
+
+/// Where a line is interrupted, facets of the blade lie farther below its smooth surface than the path
+/// presses the belt: on finer facets the same path grinds whole lines.
+TEST(Coverage, linesAreWholeWhereFacetsAreFiner) {
+  const auto groundAlongPass = [](const TriangleMesh& mesh) {
+    const BladesFound blades = findBlades(mesh);
+    const BladeContours contours(mesh, findAnatomy(mesh, blades).sides, 1);
+    const SurfacePathOptions options{.step_over = 20.0, .height_from = 0.6, .height_to = 0.6};
+    std::vector<Pose> poses;
+    for (const ToolMotion& motion : makeSurfacePath(contours, options).motions)
+      poses.push_back(motion.tool_in_blisk);
+    const SideGrid grid(contours, BladeRegion::forward, 200, 40);
+    const auto points = groundPoints(grid, *treeOf(embeddedBeltGrinder().front().mesh), poses);
+    int ground = 0;
+    for (std::size_t column = 5; column < 35; ++column) {
+      bool is_touched = false;
+      for (std::size_t row = 117; row < 123; ++row) is_touched |= points[row * 40 + column].isTouched();
+      ground += is_touched;
+    }
+    return ground;
+  };
+  EXPECT_LT(groundAlongPass(side().mesh), 25);
+  EXPECT_EQ(groundAlongPass(makeDefaultBlisk(400'000).mesh), 30);
 }
 
 }  // namespace

@@ -224,10 +224,21 @@ TEST_F(GrindCommand, withoutBladesItWarnsAndCallsThemHubOrShroud) {
   folder_.write("touch.csv", "x,y,z,qw,qx,qy,qz\n335,0,0,1,0,0,0\n");
   const Outcome outcome = run("--blisk round.ply --path touch.csv --no-pictures --out run");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.error, StartsWith("octoblisk: warning: round.ply: no blades were found"));
+  EXPECT_EQ(
+      outcome.error,
+      "octoblisk: warning: round.ply: no blades were found: every touch counts as interference with hub "
+      "or shroud\n");
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   EXPECT_THAT(outcome.out, HasSubstr("on hub or shroud"));
   EXPECT_TRUE(nlohmann::json::parse(contentOf(file("run/summary.json")))["limits"]["ground_blade"].is_null());
+
+  // A tool that may touch the hub: then not every touch is interference.
+  ASSERT_EQ(runOctoblisk(folder_.path(), "make grinder --out tool").exit_code, 0);
+  std::string edited = contentOf(file("tool/tool.json"));
+  edited.replace(edited.find("\"ground\""), 8, std::string("\"hub\""));
+  folder_.write("tool/edited.json", edited);
+  EXPECT_EQ(run("--blisk round.ply --tool tool/edited.json --path touch.csv --no-pictures --out hub").error,
+            "octoblisk: warning: round.ply: no blades were found: all of it is hub or shroud\n");
 }
 
 }  // namespace

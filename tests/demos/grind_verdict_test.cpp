@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -99,18 +100,41 @@ TEST_F(GrindCommand, defaultPathEqualsCollideOfEveryPart) {
   EXPECT_NEAR(summary["motions"]["depth_on_motions_at_most_mm"], depth_on_motions, 1e-6);
   EXPECT_THAT(outcome.out, HasSubstr("\nInterference at poses 20-79, "));
 
-  double ground = 0.0, area = 0.0;
+  std::map<std::string, double> areas;
+  double area = 0.0;
   for (const auto& row : readTable(file("run/coverage.csv"))) {
-    const bool is_ground = row.at("state") == "ground" || row.at("state") == "too deep";
     area += std::stod(row.at("area_mm2"));
-    if (!is_ground) continue;
-    ground += std::stod(row.at("area_mm2"));
-    EXPECT_GE(std::stod(row.at("depth_mm")), 0.0);
+    areas[row.at("state")] += std::stod(row.at("area_mm2"));
+    if (row.at("state") != "ground" && row.at("state") != "too deep") continue;
+    const double depth = std::stod(row.at("depth_mm"));
+    EXPECT_GE(depth, 0.0);
+    EXPECT_EQ(row.at("state"), depth <= 0.1 ? "ground" : "too deep");
     EXPECT_TRUE(touching[std::stoul(row.at("pose"))].contains("belt")) << "or at the previous or next pose";
   }
-  EXPECT_NEAR(summary["coverage"]["ground_share"], ground / area, 1e-6);
-  EXPECT_THAT(outcome.out, HasSubstr("\nGround: " + std::to_string(std::lround(100.0 * ground / area)) +
-                                     " % of the convex side of blade 1; not reached: root below 0.4"));
+  ASSERT_EQ(areas.size(), 4u);
+  const nlohmann::json& coverage = summary["coverage"];
+  EXPECT_NEAR(coverage["ground_share"], areas["ground"] / area, 1e-6);
+  EXPECT_NEAR(coverage["too_deep_share"], areas["too deep"] / area, 1e-6);
+  EXPECT_NEAR(coverage["left_standing_share"], areas["left standing"] / area, 1e-6);
+  EXPECT_NEAR(coverage["not_reached_share"], areas["not reached"] / area, 1e-6);
+  const std::string& out = outcome.out;
+  std::istringstream shares(out.substr(out.find("\nGround: ") + 1));
+  double sum = 0.0;
+  for (const char* const name : {"ground", "too deep", "left standing", "not reached"}) {
+    std::string words;
+    std::getline(shares, words, ':');
+    double percent = 0.0;
+    shares >> percent;
+    EXPECT_NEAR(percent, 100.0 * areas[name] / area, 0.11) << words;
+    sum += percent;
+  }
+  EXPECT_NEAR(sum, 100.0, 1e-9) << out;
+  EXPECT_THAT(out, HasSubstr(" % of the convex side of blade 1; too deep: "));
+  EXPECT_THAT(out, HasSubstr("\nNot reached: root below 0.4"));
+  const std::string ground = out.substr(out.find("\nGround: ") + 1),
+                    page = contentOf(file("run/report.html"));
+  EXPECT_THAT(page, HasSubstr(" motion. " + ground.substr(0, ground.find('\n')))) << "in the title";
+  EXPECT_THAT(page, HasSubstr(R"("region":"convex side of blade 1","shares":[{"name":"ground","percent":)"));
 
   // Only the belt touches: a sample of its depths, and places where triangle pairs mislead.
   const TriangleMesh belt_mesh = embeddedBeltGrinder().front().mesh;

@@ -28,7 +28,7 @@ struct Task {
   BladeSides sides = findBladeSides(blisk->mesh(), blades);
   std::vector<ToolPart> parts = {{"belt", treeOf(makeBelt(smallBelt()))}};
   VerdictRules rules{.max_depth = kDepthLimit, .near_miss = 0.0};
-  SideGrid grid{BladeContours(blisk->mesh(), sides, 1), BladeSide::forward, 40, 24};
+  SideGrid grid{BladeContours(blisk->mesh(), sides, 1), BladeRegion::forward, 40, 24};
   WheelSize wheel = wheelOf(*parts[0].tree);
   WheelSeat seat{blisk->mesh(), sides.blade_of_triangle, 1, wheel.radius, wheel.width};
 
@@ -50,7 +50,7 @@ double groundShare(const SidePlan& plan) {
   double ground = 0.0, all = 0.0;
   for (std::size_t cell = 0; cell < plan.points.size(); ++cell) {
     all += task().grid.areaOf(cell);
-    if (plan.points[cell].isGround()) ground += task().grid.areaOf(cell);
+    if (plan.points[cell].isTouched()) ground += task().grid.areaOf(cell);
   }
   return ground / all;
 }
@@ -96,7 +96,7 @@ TEST(SidePlan, grindsTheCellsThatADenseSamplingFindsInTheWheel) {
   }
   std::size_t ground = 0, left = 0;
   for (std::size_t cell = 0; cell < deepest.size(); ++cell) {
-    const bool is_ground = plan.points[cell].isGround();
+    const bool is_ground = plan.points[cell].isTouched();
     if (is_ground) {
       EXPECT_GT(deepest[cell], -slack) << cell;
     } else {
@@ -139,8 +139,8 @@ TEST(SidePlan, addsOnlyToWhatEarlierToolsLeave) {
   EXPECT_NEAR(groundShare(rest), groundShare(first), 0.01);
   std::size_t by_first = 0, by_second = 0;
   for (const GroundPoint& point : rest.points) {
-    by_first += point.isGround() && point.pose < 1'000'000;
-    by_second += point.isGround() && point.pose >= 1'000'000;
+    by_first += point.isTouched() && point.pose < 1'000'000;
+    by_second += point.isTouched() && point.pose >= 1'000'000;
     EXPECT_LT(point.pose, 1'000'000 + rest.path.size());
   }
   EXPECT_GT(by_first, half.size() / 4);

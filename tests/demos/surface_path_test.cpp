@@ -29,7 +29,7 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr int kBlade = 4;
-using enum PathRegion;
+using enum BladeRegion;
 using enum PathPattern;
 
 const BladeContours& contours() {
@@ -80,7 +80,7 @@ double distanceToLine(const std::vector<Vec3>& line, const Vec3& point) {
 }
 
 struct PathCase {
-  PathRegion region;
+  BladeRegion region;
   PathPattern pattern;
   double step_over, tilt, lead;
 };
@@ -102,7 +102,7 @@ class SurfacePaths : public ::testing::TestWithParam<PathCase> {
 TEST_P(SurfacePaths, eachPoseTouchesTheRegionOfItsBladeWithTheTiltAndLeadAskedFor) {
   const SurfacePath path = makeSurfacePath(contours(), options());
   ASSERT_EQ(path.motions.size(), path.pass_of_motion.size());
-  const bool at_edge = options().region == leading_edge;
+  const bool at_edge = isEdge(options().region);
   for (std::size_t k = 0; k < path.motions.size(); ++k) {
     const Pose& pose = path.motions[k].tool_in_blisk;
     ASSERT_TRUE((pose.rotation.transpose() * pose.rotation).isIdentity(1e-12));
@@ -152,8 +152,7 @@ TEST_P(SurfacePaths, passesKeepTheStepOverAndAreNoMoreThanNeeded) {
     greatest = std::max(greatest, widest);
   }
   // In space the distance may be shorter than along the surface, especially around the edge.
-  EXPECT_GT(greatest,
-            (fine.region == leading_edge && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
+  EXPECT_GT(greatest, (isEdge(fine.region) && fine.pattern == longitudinal ? 0.4 : 0.7) * fine.step_over);
 }
 
 TEST_P(SurfacePaths, stepsAreSmallAndPassesGoInTheGivenDirection) {
@@ -170,11 +169,12 @@ TEST_P(SurfacePaths, stepsAreSmallAndPassesGoInTheGivenDirection) {
     } else {
       EXPECT_LT(rise, 8.0);
     }
-    if (options().region == leading_edge) {
+    if (isEdge(options().region)) {
       double from_edge = 1e9;
       for (int step = 0; step <= 100; ++step) {
-        const Vec3 edge = contours().at(0.4 + 0.006 * step).forward.front().position;
-        from_edge = std::min(from_edge, (edge - contacts[contacts.size() / 2]).norm());
+        const std::vector<ContourPoint> side = contours().at(0.4 + 0.006 * step).forward;
+        const ContourPoint& edge = options().region == leading_edge ? side.front() : side.back();
+        from_edge = std::min(from_edge, (edge.position - contacts[contacts.size() / 2]).norm());
       }
       EXPECT_LE(from_edge, options().edge_reach + 0.5);
     }
@@ -196,7 +196,9 @@ INSTANTIATE_TEST_SUITE_P(Patterns, SurfacePaths,
                                            PathCase{forward, longitudinal, 10.0, 8.0, -15.0},
                                            PathCase{backward, longitudinal, 7.0, 0.0, 5.0},
                                            PathCase{leading_edge, transversal, 4.0, 5.0, 0.0},
-                                           PathCase{leading_edge, longitudinal, 1.0, 8.0, 10.0}));
+                                           PathCase{leading_edge, longitudinal, 1.0, 8.0, 10.0},
+                                           PathCase{trailing_edge, transversal, 4.0, 5.0, 0.0},
+                                           PathCase{trailing_edge, longitudinal, 1.0, 8.0, 10.0}));
 
 TEST(SurfacePathChoices, areCheckedInOneLine) {
   const auto refusal = [](auto change) {

@@ -16,15 +16,36 @@ function fillHeader() {
   document.title = run.title;
   $("title").textContent = run.title;
   $("subtitle").textContent = run.subtitle;
-  $("counts").replaceChildren(...run.counts.map(({ name, count, tone }) => {
+  const tile = (name, value, unit, tone) => {
     const item = document.createElement("li"), number = document.createElement("b"), text = document.createElement("span");
-    item.className = `tone-${tone}${count === 0 ? " none" : ""}`;
-    number.append(`${kSigns[tone]} ${count}`);
+    item.className = `tone-${tone}${value === 0 ? " none" : ""}`;
+    number.append(`${kSigns[tone]} ${value}${unit}`);
     text.textContent = name;
     item.append(number, text);
     return item;
-  }));
+  };
+  $("counts").replaceChildren(...run.counts.map(({ name, count, tone }) => tile(name, count, "", tone)));
+  if (run.side) fillCoverage(run.side, tile);
   $("findings-title").textContent = run.findings.title;
+}
+
+/** The shares of the blade's side, and its cells as a map: root below, tip above. */
+function fillCoverage({ region, shares, mesh, columns, colorOfCell, colors }, tile) {
+  $("shares").replaceChildren(...shares.map(({ name, percent, tone }) => tile(name, percent, " %", tone)));
+  const map = $("map"), rows = colorOfCell.length / columns, { vertices } = mesh;
+  const corner = (k) => vertices.subarray(3 * k, 3 * k + 3);
+  const length = (a, b) => Math.hypot(...corner(a).map((value, axis) => value - corner(b)[axis]));
+  const width = length(0, columns), height = length(0, rows * (columns + 1));
+  map.width = columns;
+  map.height = rows;
+  map.style.aspectRatio = `${width} / ${height}`;
+  map.setAttribute("aria-label", `Map of the ${region}: ${shares.map(({ name, percent }) => `${name} ${percent} %`).join(", ")}`);
+  const context = map.getContext("2d");
+  colorOfCell.forEach((color, cell) => {
+    context.fillStyle = colors[color].color;
+    context.fillRect(cell % columns, rows - 1 - Math.floor(cell / columns), 1, 1);
+  });
+  $("coverage").hidden = false;
 }
 
 function fillFacts() {

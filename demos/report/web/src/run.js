@@ -37,7 +37,7 @@ function sideOf({ box, vertices, columns, color_of_cell, ...rest }) {
       for (const corner of [a, b, c, a, c, d]) corners[i++] = corner;
     }
   }
-  return { ...rest, mesh: { vertices: positionsOf(box, vertices), triangles: corners }, colorOfCell: octets(color_of_cell) };
+  return { ...rest, columns, mesh: { vertices: positionsOf(box, vertices), triangles: corners }, colorOfCell: octets(color_of_cell) };
 }
 
 function boxesOf({ depths, places, box, half, whole, deepest }) {

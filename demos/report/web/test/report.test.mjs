@@ -57,6 +57,16 @@ test("the scene is drawn, and the replay changes it", async () => {
   assert.equal(await at(), reached, "it continues when paused");
 });
 
+test("the first view shows the coverage", async () => {
+  assert.match(await report.page.textContent("#title"), /Ground: [\d.]+ % of the convex side of blade 1/);
+  const shares = await report.page.locator("#shares b").allTextContents();
+  assert.equal(shares.length, 4);
+  const sum = shares.reduce((all, text) => all + Number(text.match(/[\d.]+/)[0]), 0);
+  assert.ok(Math.abs(sum - 100) < 1e-9, `${sum}`);
+  const map = await report.page.locator("#map").boundingBox();
+  assert.ok(map.width > 20 && map.height > 20 && map.y + map.height < 900, JSON.stringify(map));
+});
+
 test("a click on a row jumps to its pose", async () => {
   const row = report.page.locator("#table tbody tr").nth(3);
   const place = Number(await row.getAttribute("data-at"));
