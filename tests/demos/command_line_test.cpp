@@ -25,11 +25,11 @@ TEST_F(CommandLine, anUnknownSubcommandIsNamedWithTheNearest) {
   EXPECT_EQ(refusal("chek --fixed a"),
             "octoblisk: 'chek' is not a subcommand; did you mean 'check'? The subcommands are: grind, "
             "blades, path, "
-            "access, repair, make, check, inspect, merge, paper, gallery\n");
+            "access, repair, plan, make, check, inspect, merge, paper, gallery\n");
   EXPECT_THAT(refusal("make contact_wheel"), HasSubstr("did you mean 'contact-wheel'?"));
   EXPECT_EQ(refusal("polish"),
             "octoblisk: 'polish' is not a subcommand; the subcommands are: grind, blades, path, access, "
-            "repair, make, "
+            "repair, plan, make, "
             "check, inspect, merge, paper, gallery\n");
 }
 
