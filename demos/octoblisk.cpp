@@ -4,8 +4,8 @@
 
 int main(int argc, char** argv) {
   using namespace octoblisk::demos;
-  return runCommandLine(
-      argc, argv, OCTOBLISK_VERSION,
-      {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand, addRepairCommand, addPlanCommand, addMakeCommand,
-       addCheckCommand, addInspectCommand, addMergeCommand, addPaperCommand, addGalleryCommand});
+  return runCommandLine(argc, argv, OCTOBLISK_VERSION,
+                        {addGrindCommand, addBladesCommand, addPathCommand, addAccessCommand,
+                         addRepairCommand, addPlanCommand, addMakeCommand, addCheckCommand, addInspectCommand,
+                         addMergeCommand, addPaperCommand, addGalleryCommand});
 }

@@ -306,8 +306,9 @@ VerdictRules reachRulesOf(const GrinderFiles& files, const GrinderInput& input, 
   for (std::size_t row = 0; row < rules.allowed.size(); ++row) {
     const AllowedPair& pair = rules.allowed[row];
     if (pair.blade.kind == BladeChoice::Kind::ground && pair.part == rules.grinding_part) continue;
-    throw std::runtime_error(files.tool + ": allowed[" + std::to_string(row) +
-                             "]: access, plan and repair allow only one part to touch, and only the ground blade");
+    throw std::runtime_error(
+        files.tool + ": allowed[" + std::to_string(row) +
+        "]: access, plan and repair allow only one part to touch, and only the ground blade");
   }
   return {.grinding_part = rules.grinding_part,
           .ground_blade = ground_blade,

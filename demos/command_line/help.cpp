@@ -11,7 +11,8 @@
 // The files, by their names.
 #define OCTOBLISK_HELP_FILES(X) \
   X(octoblisk)                  \
-  X(access) X(blades) X(check) X(gallery) X(grind) X(inspect) X(make) X(merge) X(paper) X(path) X(plan) X(repair)
+  X(access)                     \
+  X(blades) X(check) X(gallery) X(grind) X(inspect) X(make) X(merge) X(paper) X(path) X(plan) X(repair)
 
 #define OCTOBLISK_EMBED_HELP(name) OCTOBLISK_EMBED(octoblisk_help_##name, OCTOBLISK_HELP "/" #name ".txt");
 OCTOBLISK_HELP_FILES(OCTOBLISK_EMBED_HELP)

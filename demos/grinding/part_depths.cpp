@@ -1,7 +1,6 @@
 #include "grinding/part_depths.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <utility>
 
@@ -119,16 +118,12 @@ PartDepths::PoseBits PartDepths::bitsOf(const Pose& pose) {
   return bits;
 }
 
-/// Proves it by lifting the part off the blisk: along the normal of a touching triangle, or from the touch
-/// towards the axis of a wheel at the tool's origin, as around an edge of a blade. False: not proved.
-bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch) const {
-  const Vec3 normal = scaledNormal(blisk_->mesh().triangle(touch.a));
-  const Vec3 on_part = centroidOf(parts_[part].tree->mesh().triangle(touch.b));
-  const Vec3 to_axis = tool_in_blisk.rotation * Vec3(-on_part.x(), -on_part.y(), 0.0);
-  return std::ranges::any_of(std::array{normal, to_axis}, [&](const Vec3& up) {
-    return !up.isZero() && partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk,
-                                           up.normalized(), limits_[part]);
-  });
+/// Proves it by lifting the part off a triangle of the blisk; false: not proved.
+bool PartDepths::staysWithin(std::size_t part, const Pose& tool_in_blisk,
+                             std::uint32_t triangle_of_blisk) const {
+  const Vec3 normal = scaledNormal(blisk_->mesh().triangle(triangle_of_blisk));
+  return !normal.isZero() && partsWhenLifted(blisk_surface_, part_surfaces_[part], tool_in_blisk,
+                                             normal.normalized(), limits_[part]);
 }
 
 std::optional<PartDepth> PartDepths::ofPart(std::size_t part, const Pose& tool_in_blisk,
@@ -158,7 +153,7 @@ bool PartDepths::isBeyond(std::size_t part, const Pose& tool_in_blisk, const Tri
   const double limit = limits_[part];
   if (blisk_surface_.role(touch.a) == TriangleRole::sheet) return true;
   // A lift proves nothing where a surface does not bound a solid.
-  if (blisk_surface_.isWhole() && staysWithin(part, tool_in_blisk, touch)) return false;
+  if (blisk_surface_.isWhole() && staysWithin(part, tool_in_blisk, touch.a)) return false;
   const double beyond = limit + toleranceFor(limit);
   if (deep_corner && depthOfCorner(part, tool_in_blisk, *deep_corner) > beyond) return true;
   if (const auto corner = cornerBeyond(part, tool_in_blisk, touch.b, beyond)) {

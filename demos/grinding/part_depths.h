@@ -88,7 +88,7 @@ class PartDepths {
   bool isNested(std::size_t part, const octoblisk::Surface& fixture, const Pose& tool_in_blisk) const;
   void addNested(const Pose& tool_in_blisk, std::vector<PartDepth>& found) const;
   std::optional<PartDepth> ofPart(std::size_t part, const Pose& tool_in_blisk, DepthQuery& query) const;
-  bool staysWithin(std::size_t part, const Pose& tool_in_blisk, const TrianglePair& touch) const;
+  bool staysWithin(std::size_t part, const Pose& tool_in_blisk, std::uint32_t triangle_of_blisk) const;
   double depthOfCorner(std::size_t part, const Pose& tool_in_blisk, std::uint32_t corner) const;
   std::optional<std::uint32_t> cornerBeyond(std::size_t part, const Pose& tool_in_blisk,
                                             std::uint32_t touching_triangle, double depth) const;

@@ -33,7 +33,6 @@ enum class Kind {
   octoblisk,
   story,
   tutorial,
-  example,
   study
 };
 
@@ -46,8 +45,7 @@ inline const std::vector<std::pair<std::string, Kind>> kBeginnings = {
     {"{\"task\", ", Kind::row},
     {"octoblisk check …", Kind::study},
     {"octoblisk path --out path.csv", Kind::story},
-    {"octoblisk ", Kind::octoblisk},
-    {"for side in ", Kind::example}};
+    {"octoblisk ", Kind::octoblisk}};
 inline const std::map<std::string, Kind> kLanguages = {
     {"cpp", Kind::cpp}, {"cmake", Kind::cmake}, {"mermaid", Kind::flow_chart}};
 
